@@ -1,0 +1,20 @@
+# Everything comes from Debian 12 packages; see packages.txt for the one-line install.
+find_package(mujoco REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(EIGEN3 REQUIRED IMPORTED_TARGET eigen3)
+pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
+pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
+
+# Ipopt's pkg-config adds /usr/include/coin; mark it as a system path so that its warnings stay out.
+foreach(lib IPOPT EIGEN3 OSMESA URDFDOM)
+  get_target_property(dirs PkgConfig::${lib} INTERFACE_INCLUDE_DIRECTORIES)
+  if(dirs)
+    set_target_properties(PkgConfig::${lib} PROPERTIES
+                          INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${dirs}")
+  endif()
+endforeach()

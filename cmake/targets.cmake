@@ -1,0 +1,54 @@
+# One library a room, one test executable a test file.
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(sidestep_options INTERFACE)
+target_compile_features(sidestep_options INTERFACE cxx_std_20)
+target_include_directories(sidestep_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(sidestep_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
+  $<$<BOOL:${SIDESTEP_WERROR}>:-Werror>
+  $<$<BOOL:${SIDESTEP_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                 -fno-omit-frame-pointer>)
+target_link_options(sidestep_options INTERFACE
+  $<$<BOOL:${SIDESTEP_SANITIZE}>:-fsanitize=address,undefined>)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# sidestep_room(<name> SOURCES ... DEPENDS ...): static library sidestep_<name>.
+function(sidestep_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(sidestep_${name} STATIC ${ROOM_SOURCES})
+  target_link_libraries(sidestep_${name} PUBLIC sidestep_options PkgConfig::EIGEN3 ${ROOM_DEPENDS})
+endfunction()
+
+# sidestep_test(<file without _test.cc> DEPENDS ... [LABEL unit]): one executable, its cases in ctest.
+# SIDESTEP_SOURCE_DIR and SIDESTEP_BINARY (the program) are defined for tests that need files.
+include(GoogleTest)
+function(sidestep_test name)
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "DEPENDS" ${ARGN})
+  if(NOT TEST_LABEL)
+    set(TEST_LABEL unit)
+  endif()
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 300)
+  endif()
+  add_executable(${name}_test ${name}_test.cc)
+  target_link_libraries(${name}_test PRIVATE sidestep_options ${TEST_DEPENDS} GTest::gtest_main)
+  target_compile_definitions(${name}_test PRIVATE
+    SIDESTEP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    SIDESTEP_BINARY="$<$<TARGET_EXISTS:sidestep>:$<TARGET_FILE:sidestep>>")
+  gtest_discover_tests(${name}_test DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS ${TEST_LABEL} TIMEOUT ${TEST_TIMEOUT} ENVIRONMENT "OMP_NUM_THREADS=1")
+endfunction()
+
+# sidestep_bench(<file without _bench.cc> DEPENDS ...): one Google Benchmark executable.
+function(sidestep_bench name)
+  cmake_parse_arguments(BENCH "" "" "DEPENDS" ${ARGN})
+  add_executable(${name}_bench ${name}_bench.cc)
+  target_link_libraries(${name}_bench PRIVATE sidestep_options ${BENCH_DEPENDS}
+                        benchmark::benchmark_main)
+  target_compile_definitions(${name}_bench PRIVATE SIDESTEP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+endfunction()
