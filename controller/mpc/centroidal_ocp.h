@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// centroidal_ocp: one instance of the MPC's optimal control problem, as data.
+//
+// In : what planner and estimator know at one instant.      Out: input of every back end.
+// Flow: estimator -> planner -> [mpc: CentroidalOcp -> back end -> MpcSolution] -> swing, wbc.
+//
+// Grid: step T, states at knots k = 0..N, inputs (forces) at k = 0..N-1. One location per contact
+// phase: the paper's pdot = (1 - Gamma) v with the free swing velocity eliminated.
+//
+//   p[k+1]   = p[k] + T hp[k] / m
+//   hp[k+1]  = hp[k] + T ( m g + F[k] + sum_ij f_ij[k] )
+//   hw[k+1]  = hw[k] + T ( tau[k] + sum_ij ( P_iq + R_iq c_ij - p[k] ) x f_ij[k] )
+//
+// Source: Romualdi et al., ICRA 2022, section III. Every vector is in world W unless named.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace sidestep::mpc {
+
+/// One stay of a foot on the ground, active for knots first_knot <= k < end_knot (Gamma = 1).
+struct ContactPhase {
+  int first_knot{0};
+  int end_knot{0};    ///< May exceed N + 1.
+  bool fixed{false};  ///< The foot stands there at k = 0: p_WF is given, not decided.
+  Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};          ///< m; only if fixed.
+  Eigen::Vector3d nominal_p_WF{Eigen::Vector3d::Zero()};  ///< m; only if free.
+  /// lower <= R_WF^T (P - nominal) <= upper, m; only if free. Zero size is an equality.
+  Eigen::Vector3d box_lower_m{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
+};
+
+/// One foot: its vertices and the phases that touch the horizon, in order of time.
+struct OcpContact {
+  std::string name;
+  Eigen::Matrix3Xd vertices_m;  ///< 3 x n_v, in F. One column at the origin is a point foot.
+  bool has_previous_force{false};
+  Eigen::Matrix3Xd previous_force_N;  ///< 3 x n_v, in W; force applied before k = 0.
+  std::vector<ContactPhase> phases;
+};
+
+/// Diagonals of the weights, world axes. Momentum and force are divided by the mass first.
+struct OcpWeights {
+  Eigen::Vector3d com{2.0, 2.0, 400.0};
+  Eigen::Vector3d angular_momentum{200.0, 200.0, 200.0};
+  Eigen::Vector3d contact_position{400.0, 400.0, 400.0};
+  Eigen::Vector3d force_symmetry{20.0, 20.0, 20.0};
+  Eigen::Vector3d force_rate{0.2, 0.2, 0.2};
+  /// On the force of a contact whose first knot is N - 1; keeps the optimum unique there.
+  Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
+};
+
+/// The whole problem.
+struct CentroidalOcp {
+  std::string name;
+  std::string description;
+  double step_s{0.1};  ///< T.
+  int knots{15};       ///< N.
+  double mass_kg{1.0};
+  Eigen::Vector3d gravity_mps2{0.0, 0.0, -9.80665};
+  Eigen::Vector3d initial_p_WC{Eigen::Vector3d::Zero()};                 ///< m.
+  Eigen::Vector3d initial_linear_momentum{Eigen::Vector3d::Zero()};      ///< kg m/s.
+  Eigen::Vector3d initial_angular_momentum{Eigen::Vector3d::Zero()};     ///< kg m^2/s about C.
+  Eigen::Matrix3Xd reference_p_WC;                                       ///< 3 x (N+1), m.
+  Eigen::Matrix3Xd reference_angular_momentum;                           ///< 3 x (N+1).
+  Eigen::Matrix3Xd external_force_N;                                     ///< 3 x N.
+  Eigen::Matrix3Xd external_torque_Nm;                                   ///< 3 x N, about C.
+  OcpWeights weights;
+  Eigen::MatrixX3d friction_A;  ///< rows x 3: A R^T f <= b at every vertex.
+  Eigen::VectorXd friction_b;   ///< N.
+  std::vector<OcpContact> contacts;
+};
+
+/// Index of the phase of `contact` that is active at knot k, or -1.
+int ActivePhase(const OcpContact& contact, int k);
+
+/// Throws ContractViolation if shapes, knots or phases are inconsistent (a program's bug; files
+/// are checked by the reader). An empty box (lower > upper) passes: it is an infeasible problem.
+void CheckShapes(const CentroidalOcp& ocp);
+
+}  // namespace sidestep::mpc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// centroidal_solver: the small interface behind which back ends solve a CentroidalOcp.
+
+#include <memory>
+#include <string>
+
+#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/mpc_solution.h"
+
+namespace sidestep::mpc {
+
+/// Options every back end understands. It stops on iterations and residuals, never on time.
+struct SolverOptions {
+  double tolerance{1e-8};
+  int max_iterations{200};
+};
+
+/// A solver of CentroidalOcp. Not thread-safe; one instance a controller.
+class CentroidalSolver {
+ public:
+  virtual ~CentroidalSolver() = default;
+
+  /// Solves `ocp`. `guess` (may be null: cold start) is a primal starting point on the same grid
+  /// and contact schedule, usually ShiftedGuess() of the previous solution; shapes must match.
+  /// The reference stays valid until the next call. Never throws on a hard problem.
+  virtual const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) = 0;
+};
+
+/// Makes the back end called `name`: "ipopt". Throws ContractViolation for any other name.
+std::unique_ptr<CentroidalSolver> MakeSolver(const std::string& name, const SolverOptions& options);
+
+}  // namespace sidestep::mpc
