@@ -33,9 +33,9 @@ template <typename Value>
 }  // namespace sidestep
 
 /// Checks `condition` in every build type; `value` is printed when it does not hold.
-#define SIDESTEP_REQUIRE(condition, value)                                             \
-  do {                                                                                 \
-    if (!(condition)) {                                                                \
-      ::sidestep::internal::FailRequirement(#condition, (value), __FILE__, __LINE__);  \
-    }                                                                                  \
+#define SIDESTEP_REQUIRE(condition, value)                                            \
+  do {                                                                                \
+    if (!(condition)) {                                                               \
+      ::sidestep::internal::FailRequirement(#condition, (value), __FILE__, __LINE__); \
+    }                                                                                 \
   } while (false)

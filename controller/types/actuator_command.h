@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// actuator_command: all that crosses from the controller to the world.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace sidestep {
+
+/// What the controller asks of a foot of the centroidal plant, which has no joints.
+struct CentroidalFootCommand {
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};  ///< Where the foot is or lands next (m).
+  Eigen::Matrix3Xd force_N;                       ///< 3 x n_v, ground on robot, in W.
+  bool in_contact{false};
+};
+
+/// Joint torques for a robot, or contact forces for the centroidal plant.
+struct ActuatorCommand {
+  Eigen::VectorXd torque_Nm;  ///< In the order of the actuators; N for a slide.
+  std::vector<CentroidalFootCommand> centroidal_feet;  ///< Empty but on the centroidal plant.
+};
+
+}  // namespace sidestep

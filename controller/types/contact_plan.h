@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// contact_plan: where and when each foot is meant to stand.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/types/tick.h"
+
+namespace sidestep {
+
+/// One stay of a foot on the ground, in absolute ticks: start <= tick < end.
+struct PlannedContact {
+  int index{0};  ///< Counts this foot's contacts from 0 over the whole episode.
+  Tick start_tick{0};
+  Tick end_tick{0};
+  Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d nominal_p_WF{Eigen::Vector3d::Zero()};   ///< What the gait planner wants.
+  Eigen::Vector3d adjusted_p_WF{Eigen::Vector3d::Zero()};  ///< What the MPC decided last.
+  Eigen::Vector3d box_lower_m{Eigen::Vector3d::Zero()};    ///< Adjustment's bounds, in F.
+  Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
+};
+
+/// The contacts of every foot that end after now and begin before the horizon's end, by time.
+struct ContactPlan {
+  std::vector<std::vector<PlannedContact>> feet;
+};
+
+/// Nominal motion of the CoM at one instant (m, m/s, m/s^2), in W.
+struct ComReference {
+  Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d v_WC{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d a_WC{Eigen::Vector3d::Zero()};
+};
+
+}  // namespace sidestep

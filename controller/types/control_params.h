@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// control_params: every setting of the controller, as a scenario's `control:` block spells it.
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "controller/types/field.h"
+#include "controller/types/gait_params.h"
+#include "controller/types/mpc_params.h"
+
+namespace sidestep {
+
+enum class ControlMode {
+  kTorque,   ///< Whole-body inverse dynamics.
+  kPassive,  ///< Does nothing: zero torque. The negative control of every scenario.
+};
+
+template <>
+struct EnumNames<ControlMode> {
+  static constexpr std::array<std::pair<ControlMode, std::string_view>, 2> kNames{
+      {{ControlMode::kTorque, "torque"}, {ControlMode::kPassive, "passive"}}};
+};
+
+/// What the controller knows of a push.
+enum class ExternalWrenchKnowledge { kUnknown, kKnown };
+
+template <>
+struct EnumNames<ExternalWrenchKnowledge> {
+  static constexpr std::array<std::pair<ExternalWrenchKnowledge, std::string_view>, 2> kNames{
+      {{ExternalWrenchKnowledge::kUnknown, "unknown"}, {ExternalWrenchKnowledge::kKnown, "known"}}};
+};
+
+enum class EstimatorKind { kSensors, kTruth };
+
+template <>
+struct EnumNames<EstimatorKind> {
+  static constexpr std::array<std::pair<EstimatorKind, std::string_view>, 2> kNames{
+      {{EstimatorKind::kSensors, "sensors"}, {EstimatorKind::kTruth, "truth"}}};
+};
+
+/// Gains and weights of the inverse dynamics. Accelerations are tracked in SI units.
+struct WbcParams {
+  double com_stiffness_per_s2{100.0};
+  double com_damping_per_s{20.0};
+  double attitude_stiffness_per_s2{200.0};
+  double attitude_damping_per_s{30.0};
+  double swing_stiffness_per_s2{900.0};
+  double swing_damping_per_s{60.0};
+  double com_weight{1.0};
+  double attitude_weight{0.1};
+  double swing_weight{1.0};
+  double force_weight{1e-3};    ///< On contact force minus the MPC's, per N^2.
+  double posture_weight{1e-4};  ///< Damps joints that no task uses.
+  double friction{0.5};         ///< Coefficient of the cones the forces must keep.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("com_stiffness_per_s2", self.com_stiffness_per_s2, Range{0.0, 1e5});
+    visit("com_damping_per_s", self.com_damping_per_s, Range{0.0, 1e4});
+    visit("attitude_stiffness_per_s2", self.attitude_stiffness_per_s2, Range{0.0, 1e5});
+    visit("attitude_damping_per_s", self.attitude_damping_per_s, Range{0.0, 1e4});
+    visit("swing_stiffness_per_s2", self.swing_stiffness_per_s2, Range{0.0, 1e5});
+    visit("swing_damping_per_s", self.swing_damping_per_s, Range{0.0, 1e4});
+    visit("com_weight", self.com_weight, Range{0.0, 1e6});
+    visit("attitude_weight", self.attitude_weight, Range{0.0, 1e6});
+    visit("swing_weight", self.swing_weight, Range{0.0, 1e6});
+    visit("force_weight", self.force_weight, Range{0.0, 1e6});
+    visit("posture_weight", self.posture_weight, Range{0.0, 1e6});
+    visit("friction", self.friction, Range{0.01, 10.0});
+  }
+};
+
+/// Noise that the state estimator assumes (standard deviations) and its contact threshold.
+struct EstimatorParams {
+  double accelerometer_noise_mps2{0.2};
+  double foot_position_noise_m{0.001};
+  double foot_velocity_noise_mps{0.05};
+  double foot_slip_noise_mps{0.01};  ///< Random walk of a standing foot.
+  double contact_threshold_N{1.0};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("accelerometer_noise_mps2", self.accelerometer_noise_mps2, Range{1e-6, 100.0});
+    visit("foot_position_noise_m", self.foot_position_noise_m, Range{1e-6, 1.0});
+    visit("foot_velocity_noise_mps", self.foot_velocity_noise_mps, Range{1e-6, 10.0});
+    visit("foot_slip_noise_mps", self.foot_slip_noise_mps, Range{1e-6, 10.0});
+    visit("contact_threshold_N", self.contact_threshold_N, Range{0.0, 1e4});
+  }
+};
+
+struct ControlParams {
+  ControlMode mode{ControlMode::kTorque};
+  double rate_hz{500.0};  ///< Control ticks a second.
+  ExternalWrenchKnowledge external_wrench{ExternalWrenchKnowledge::kUnknown};
+  EstimatorKind estimator{EstimatorKind::kSensors};
+  PlannerParams planner;
+  MpcParams mpc;
+  WbcParams wbc;
+  EstimatorParams estimation;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("mode", self.mode);
+    visit("rate_hz", self.rate_hz, Range{1.0, 10000.0});
+    visit("external_wrench", self.external_wrench);
+    visit("estimator", self.estimator);
+    visit("planner", self.planner);
+    visit("mpc", self.mpc);
+    visit("wbc", self.wbc);
+    visit("estimation", self.estimation);
+  }
+};
+
+}  // namespace sidestep

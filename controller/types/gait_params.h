@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// gait_params: the nominal gait and how it follows a robot that was pushed off its path.
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "controller/types/field.h"
+
+namespace sidestep {
+
+enum class GaitType { kStand, kWalk, kRun, kHop };
+
+template <>
+struct EnumNames<GaitType> {
+  static constexpr std::array<std::pair<GaitType, std::string_view>, 4> kNames{
+      {{GaitType::kStand, "stand"},
+       {GaitType::kWalk, "walk"},
+       {GaitType::kRun, "run"},
+       {GaitType::kHop, "hop"}}};
+};
+
+/// One stretch of the nominal gait, from start_s to the next stretch's start.
+struct GaitParams {
+  GaitType type{GaitType::kStand};
+  double start_s{0.0};           ///< The gait changes at the first touch-down from here on.
+  double step_length_m{0.0};     ///< Advance along x from one touch-down to the next.
+  double step_width_m{0.16};     ///< Distance of the feet along y; 0 for one foot.
+  double swing_s{0.6};           ///< walk: a foot's time in the air.
+  double double_support_s{0.2};  ///< walk: both feet on the ground, once a step.
+  double stance_s{0.2};          ///< run, hop: a foot's time on the ground.
+  double flight_s{0.2};          ///< run, hop: no foot on the ground, once a step.
+  double swing_height_m{0.05};   ///< Apex of the sole above the ground.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("type", self.type);
+    visit("start_s", self.start_s, Range{0.0, 1e4});
+    visit("step_length_m", self.step_length_m, Range{-1.0, 1.0});
+    visit("step_width_m", self.step_width_m, Range{0.0, 1.0});
+    visit("swing_s", self.swing_s, Range{0.05, 5.0});
+    visit("double_support_s", self.double_support_s, Range{0.0, 5.0});
+    visit("stance_s", self.stance_s, Range{0.02, 5.0});
+    visit("flight_s", self.flight_s, Range{0.0, 2.0});
+    visit("swing_height_m", self.swing_height_m, Range{0.0, 0.5});
+  }
+};
+
+/// Where nominal footholds go once a step was adjusted.
+enum class FollowMode {
+  kPath,      ///< They stay where the gait put them in the world.
+  kFootholds  ///< They move with the foothold just taken, then drift back to the path.
+};
+
+template <>
+struct EnumNames<FollowMode> {
+  static constexpr std::array<std::pair<FollowMode, std::string_view>, 2> kNames{
+      {{FollowMode::kPath, "path"}, {FollowMode::kFootholds, "footholds"}}};
+};
+
+struct PlannerParams {
+  FollowMode follow{FollowMode::kPath};
+  double path_return_m{0.05};  ///< footholds: largest drift back to the path in one step.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("follow", self.follow);
+    visit("path_return_m", self.path_return_m, Range{0.0, 1.0});
+  }
+};
+
+}  // namespace sidestep

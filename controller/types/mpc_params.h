@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// mpc_params: what a human may tune in the centroidal MPC.
+
+#include <Eigen/Core>
+#include <string>
+
+#include "controller/types/field.h"
+
+namespace sidestep {
+
+/// Diagonals of the tasks' weights, world axes; momentum and force are divided by the mass.
+/// Source: Romualdi et al. (ICRA 2022), section III-B; values as its iCub experiment, doubled
+/// where its program sums without the factor 1/2.
+struct MpcWeights {
+  Eigen::Vector3d com{2.0, 2.0, 400.0};
+  Eigen::Vector3d angular_momentum{200.0, 200.0, 200.0};
+  Eigen::Vector3d contact_position{400.0, 400.0, 400.0};
+  Eigen::Vector3d force_symmetry{20.0, 20.0, 20.0};
+  Eigen::Vector3d force_rate{0.2, 0.2, 0.2};
+  Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    const Range weight{0.0, 1e9};
+    visit("com", self.com, weight);
+    visit("angular_momentum", self.angular_momentum, weight);
+    visit("contact_position", self.contact_position, weight);
+    visit("force_symmetry", self.force_symmetry, weight);
+    visit("force_rate", self.force_rate, weight);
+    visit("new_contact_force", self.new_contact_force, weight);
+  }
+};
+
+struct MpcParams {
+  double rate_hz{10.0};  ///< Solves a second.
+  int knots{15};         ///< N.
+  double step_s{0.1};    ///< T.
+  std::string backend{"ipopt"};
+  double latency_s{0.0};   ///< A solution is used this long after its measurement.
+  double tolerance{1e-6};  ///< Of the scaled optimality conditions.
+  int max_iterations{100};
+  double friction{0.33};                         ///< Coefficient the controller plans with.
+  Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};  ///< Step adjustment, contact frame.
+  Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};
+  double external_wrench_hold_s{0.1};  ///< A measured wrench is assumed to last this long.
+  double attitude_rate_radps{0.0};     ///< Momentum reference I k theta that levels the base.
+  MpcWeights weights;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("rate_hz", self.rate_hz, Range{1.0, 1000.0});
+    visit("knots", self.knots, Range{2.0, 200.0});
+    visit("step_s", self.step_s, Range{0.005, 0.5});
+    visit("backend", self.backend);
+    visit("latency_s", self.latency_s, Range{0.0, 1.0});
+    visit("tolerance", self.tolerance, Range{1e-12, 1e-2});
+    visit("max_iterations", self.max_iterations, Range{1.0, 10000.0});
+    visit("friction", self.friction, Range{0.01, 10.0});
+    visit("box_lower_m", self.box_lower_m, Range{-2.0, 2.0});
+    visit("box_upper_m", self.box_upper_m, Range{-2.0, 2.0});
+    visit("external_wrench_hold_s", self.external_wrench_hold_s, Range{0.0, 10.0});
+    visit("attitude_rate_radps", self.attitude_rate_radps, Range{0.0, 100.0});
+    visit("weights", self.weights);
+  }
+};
+
+}  // namespace sidestep
