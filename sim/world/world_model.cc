@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/world_model.h"
+
+#include <sstream>
+
+namespace sidestep {
+namespace {
+
+constexpr double kFootPlateThickness_m = 0.02;  // of the centroidal plant's drawn feet
+
+// Floor, sky and light. The foot's geoms have a higher priority than the floor, so that their
+// own contact parameters hold; sliding friction is set on every geom afterwards.
+std::string Surroundings() {
+  return R"(
+  <visual>
+    <headlight ambient="0.35 0.35 0.35" diffuse="0.35 0.35 0.35" specular="0.1 0.1 0.1"/>
+    <map znear="0.02" zfar="60" fogstart="8" fogend="25"/>
+    <rgba fog="0.80 0.86 0.92 1" haze="0.80 0.86 0.92 1"/>
+  </visual>
+  <asset>
+    <texture name="sky" type="skybox" builtin="gradient" rgb1="0.80 0.86 0.92"
+             rgb2="0.42 0.56 0.74" width="64" height="384"/>
+    <texture name="floor" type="2d" builtin="checker" rgb1="0.78 0.80 0.82"
+             rgb2="0.68 0.70 0.73" width="256" height="256"/>
+    <material name="floor" texture="floor" texrepeat="2 2" texuniform="true" specular="0.1"
+              reflectance="0"/>
+  </asset>
+  <worldbody>
+    <light name="sun" directional="true" pos="0 0 6" dir="-0.35 0.45 -1" diffuse="0.6 0.6 0.6"
+           castshadow="true"/>
+    <geom name="floor" type="plane" size="0 0 0.5" material="floor" condim="3" contype="1"
+          conaffinity="1" group="0"/>
+  </worldbody>
+)";
+}
+
+// Half extents of the rectangle that holds the foot's vertices.
+Eigen::Vector3d FootHalfExtent_m(const FootDescription& foot) {
+  return 0.5 * (foot.vertices_m.rowwise().maxCoeff() - foot.vertices_m.rowwise().minCoeff());
+}
+
+// A ball for the CoM and a plate or a small ball for each foot, moved by hand, touching nothing.
+std::string CentroidalStandIn(const RobotDescription& robot) {
+  std::ostringstream xml;
+  xml << "<default><geom contype=\"0\" conaffinity=\"0\" group=\"1\"/></default><worldbody>"
+      << "<body name=\"com\" pos=\"0 0 " << robot.com_height_m << "\"><freejoint/>"
+      << "<geom type=\"sphere\" size=\"0.06\" rgba=\"0.10 0.45 0.78 1\" mass=\"" << robot.mass_kg
+      << "\"/></body>";
+  for (const FootDescription& foot : robot.feet) {
+    const Eigen::Vector3d half_m = FootHalfExtent_m(foot);
+    xml << "<body name=\"" << foot.name << "\"><freejoint/>";
+    if (half_m.head<2>().minCoeff() > 0.0) {
+      xml << "<geom type=\"box\" size=\"" << half_m.x() << " " << half_m.y() << " "
+          << 0.5 * kFootPlateThickness_m << "\" pos=\"0 0 " << 0.5 * kFootPlateThickness_m << "\"";
+    } else {
+      xml << "<geom type=\"sphere\" size=\"0.025\" pos=\"0 0 0.025\"";
+    }
+    xml << " rgba=\"0.16 0.18 0.22 1\" mass=\"0.01\"/></body>";
+  }
+  xml << "</worldbody>";
+  return xml.str();
+}
+
+}  // namespace
+
+MjModelPtr CompileWorld(const Scenario& scenario) {
+  const RobotDescription& robot = scenario.description_of_robot;
+  const bool has_robot = scenario.plant == Plant::kMujoco;
+  std::ostringstream xml;
+  xml << "<mujoco model=\"" << robot.name << "_world\">"
+      << "<option timestep=\"" << scenario.world.step_s << "\" integrator=\"Euler\"/>"
+      << Surroundings();
+  if (has_robot) {
+    xml << "<include file=\"robot.xml\"/>";
+  } else {
+    xml << CentroidalStandIn(robot);
+  }
+  xml << "</mujoco>";
+  MjModelPtr model = CompileMjcf(xml.str(), has_robot ? ReadTextFile(robot.mjcf) : std::string(),
+                                 has_robot ? robot.mjcf : robot.file);
+  for (int geom = 0; geom < model->ngeom; ++geom) {
+    model->geom_friction[3 * geom] = scenario.world.friction;
+  }
+  return model;
+}
+
+}  // namespace sidestep
