@@ -48,19 +48,27 @@ struct DenseQpProblem {
 /// `solver.Solve({H, g, A.topRows(m), b.head(m), C.topRows(k), lower.head(k), upper.head(k)})`
 /// allocates nothing. Columns must be contiguous, or Eigen copies (and allocates).
 struct DenseQpView {
-  Eigen::Ref<const Eigen::MatrixXd> H;
-  Eigen::Ref<const Eigen::VectorXd> g;
-  Eigen::Ref<const Eigen::MatrixXd> A;
-  Eigen::Ref<const Eigen::VectorXd> b;
-  Eigen::Ref<const Eigen::MatrixXd> C;
-  Eigen::Ref<const Eigen::VectorXd> lower;
-  Eigen::Ref<const Eigen::VectorXd> upper;
-};
+  using ConstMatrix = Eigen::Ref<const Eigen::MatrixXd>;
+  using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
 
-/// Views a whole problem; valid as long as `problem` lives and keeps its shapes.
-inline DenseQpView View(const DenseQpProblem& problem) {
-  return {problem.H, problem.g, problem.A, problem.b, problem.C, problem.lower, problem.upper};
-}
+  DenseQpView(const ConstMatrix& H_, const ConstVector& g_, const ConstMatrix& A_,
+              const ConstVector& b_, const ConstMatrix& C_, const ConstVector& lower_,
+              const ConstVector& upper_)
+      : H(H_), g(g_), A(A_), b(b_), C(C_), lower(lower_), upper(upper_) {}
+
+  /// Implicit on purpose: an owned problem is passed as it is. Valid while `problem` lives.
+  DenseQpView(const DenseQpProblem& problem)
+      : DenseQpView(problem.H, problem.g, problem.A, problem.b, problem.C, problem.lower,
+                    problem.upper) {}
+
+  ConstMatrix H;
+  ConstVector g;
+  ConstMatrix A;
+  ConstVector b;
+  ConstMatrix C;
+  ConstVector lower;
+  ConstVector upper;
+};
 
 /// When to stop. Iterations and residuals only, never time.
 struct DenseQpOptions {
@@ -95,7 +103,7 @@ struct DenseQpSolution {
   QpVector x;                       ///< n; all zero unless the status is kSolved or the limit.
   QpVector equality_multipliers;    ///< nu, m_e.
   QpVector inequality_multipliers;  ///< lambda, m_i: > 0 at upper, < 0 at lower, 0 if inactive.
-  /// Largest violation of A x = b or of a bound, each row divided by 1 + |bound| + sum |a_j x_j|.
+  /// Largest violation of A x = b or of a bound, each row divided by 1 + |b_i| or 1 + |bound_i|.
   double primal_residual{0.0};
   /// Largest entry of H x + g + A' nu + C' lambda, each divided by 1 + its largest term.
   double dual_residual{0.0};
@@ -125,10 +133,6 @@ class DenseQpSolver {
   /// @throws ContractViolation if shapes disagree with each other or exceed the maxima.
   /// Does not allocate.
   const DenseQpSolution& Solve(const DenseQpView& problem, const DenseQpSolution* guess = nullptr);
-
-  /// As above, for a problem that owns its data.
-  const DenseQpSolution& Solve(const DenseQpProblem& problem,
-                               const DenseQpSolution* guess = nullptr);
 
  private:
   class Workspace;
