@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The architecture's guard: the sources of this tree against the table of rooms.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/layering/include_rules.h"
+#include "tests/layering/room_table.h"
+
+namespace sidestep::layering {
+namespace {
+
+std::string Listed(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += "\n  " + line;
+  return text;
+}
+
+std::vector<Source> ProgramSources() {
+  return ReadSources(SIDESTEP_SOURCE_DIR, {"models", "controller", "sim"});
+}
+
+// Height of a room in the house: a room may include its own floor and the ones below.
+int Floor(const std::string& folder) {
+  const std::string top = folder.substr(0, folder.find('/'));
+  return static_cast<int>(std::string("mcs").find(top.front()));
+}
+
+TEST(LayeringTest, EveryIncludeIsAllowedByTheTable) {
+  const std::vector<std::string> violations = IncludeViolations(ProgramSources(), Rooms());
+  EXPECT_TRUE(violations.empty()) << Listed(violations);
+}
+
+TEST(LayeringTest, EverySourceHasLicenceLineAndHeaderGuardAndIsShort) {
+  const std::vector<Source> sources =
+      ReadSources(SIDESTEP_SOURCE_DIR, {"models", "controller", "sim", "tests"});
+  for (const std::string& note : LongFiles(sources)) std::cout << "long file: " << note << "\n";
+  const std::vector<std::string> violations = FormViolations(sources);
+  EXPECT_TRUE(violations.empty()) << Listed(violations);
+}
+
+TEST(LayeringTest, SourcesOfEveryFloorAreSeen) {
+  std::map<int, int> files_of_floor;
+  for (const Source& source : ProgramSources()) ++files_of_floor[Floor(source.path)];
+  EXPECT_GT(files_of_floor[0], 0) << "models/";
+  EXPECT_GT(files_of_floor[1], 0) << "controller/";
+  EXPECT_GT(files_of_floor[2], 0) << "sim/";
+}
+
+TEST(RoomTableTest, NoRoomMayIncludeAFloorAbove) {
+  for (const Room& room : Rooms()) {
+    for (const std::string& below : room.may_include) {
+      EXPECT_LE(Floor(below), Floor(room.folder)) << room.folder << " -> " << below;
+    }
+  }
+}
+
+TEST(RoomTableTest, InControllerOnlyModelMayUseMujoco) {
+  for (const Room& room : Rooms()) {
+    if (Floor(room.folder) != 1) continue;
+    EXPECT_EQ(room.may_use_mujoco, room.folder == "controller/model") << room.folder;
+  }
+}
+
+TEST(RoomTableTest, VerdictAndSensorsSeeNoBelief) {
+  for (const Room& room : Rooms()) {
+    if (room.folder != "sim/verdict" && room.folder != "sim/sensors") continue;
+    for (const char* forbidden : {"controller", "controller/estimator"}) {
+      EXPECT_EQ(std::count(room.may_include.begin(), room.may_include.end(), forbidden), 0)
+          << room.folder << " -> " << forbidden << ": truth only, no belief";
+    }
+  }
+}
+
+TEST(RoomTableTest, EveryRoomIsListedOnceAndIncludesOnlyRooms) {
+  std::map<std::string, int> count;
+  for (const Room& room : Rooms()) ++count[room.folder];
+  for (const Room& room : Rooms()) {
+    EXPECT_EQ(count[room.folder], 1) << room.folder;
+    for (const std::string& other : room.may_include) EXPECT_EQ(count[other], 1) << other;
+  }
+}
+
+}  // namespace
+}  // namespace sidestep::layering

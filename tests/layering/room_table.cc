@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/layering/room_table.h"
+
+#include <string>
+
+namespace sidestep::layering {
+namespace {
+
+using Folders = std::vector<std::string>;
+
+Folders operator+(Folders left, const Folders& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+const Folders kSupport{"models/support"};
+const Folders kRobot{"models/support", "models/mjcf", "models/robot_description"};
+const Folders kTypes{"controller/types", "models/support"};
+const Folders kChain{"controller/types",   "controller/model", "controller/estimator",
+                     "controller/planner", "controller/mpc",   "controller/swing",
+                     "controller/wbc"};
+const Folders kScenario = kRobot + Folders{"controller/types", "sim/scenario"};
+const Folders kWorld = kScenario + Folders{"sim/world"};
+const Folders kTools = kWorld + Folders{"sim/process"};
+
+std::vector<Room> ModelRooms() {
+  return {
+      {"models/support", {}},
+      {"models/mjcf", kSupport, true},
+      {"models/robot_description", {"models/support", "models/mjcf"}, true},
+      {"models/urdf_to_mjcf", {"models/support", "models/mjcf"}, true},
+  };
+}
+
+std::vector<Room> ControllerRooms() {
+  return {
+      {"controller/types", {}},
+      {"controller/model", kTypes + kRobot, true},
+      {"controller/estimator", kTypes + Folders{"controller/model"}},
+      {"controller/planner", kTypes},
+      {"controller/mpc", kTypes},
+      {"controller/swing", kTypes},
+      {"controller/wbc/qp", kSupport},
+      {"controller/wbc", kTypes + Folders{"controller/model", "controller/wbc/qp"}},
+      {"controller", kChain + kRobot},
+  };
+}
+
+std::vector<Room> SimRooms() {
+  const Folders verdict = kScenario + Folders{"sim/record"};
+  return {
+      {"sim/scenario", kRobot + Folders{"controller/types"}},
+      {"sim/world", kScenario, true},
+      {"sim/sensors", kWorld, true},
+      {"sim/actuators", kWorld, true},
+      {"sim/record", kWorld + Folders{"controller", "controller/mpc"}},
+      {"sim/verdict", verdict},
+      {"sim/episode",
+       kWorld + kChain +
+           Folders{"controller", "sim/sensors", "sim/actuators", "sim/record", "sim/verdict"}},
+      {"sim/process", kSupport},
+      {"sim/render", kTools, true},
+      {"sim/plot", kTools},
+      {"sim/report", kTools},
+      {"sim/check", kTools + Folders{"sim/verdict"}},
+      {"sim/apps", kTools + Folders{"sim/apps/commands"}},
+      {"sim/apps/commands",
+       kTools + Folders{"controller/mpc", "sim/verdict", "sim/episode", "sim/render", "sim/plot",
+                        "sim/report", "sim/check", "sim/apps"},
+       true},
+  };
+}
+
+}  // namespace
+
+std::vector<Room> Rooms() {
+  std::vector<Room> rooms;
+  for (const std::vector<Room>& floor : {ModelRooms(), ControllerRooms(), SimRooms()}) {
+    rooms.insert(rooms.end(), floor.begin(), floor.end());
+  }
+  return rooms;
+}
+
+}  // namespace sidestep::layering
