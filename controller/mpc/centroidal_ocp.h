@@ -61,13 +61,13 @@ struct CentroidalOcp {
   int knots{15};       ///< N.
   double mass_kg{1.0};
   Eigen::Vector3d gravity_mps2{0.0, 0.0, -9.80665};
-  Eigen::Vector3d initial_p_WC{Eigen::Vector3d::Zero()};                 ///< m.
-  Eigen::Vector3d initial_linear_momentum{Eigen::Vector3d::Zero()};      ///< kg m/s.
-  Eigen::Vector3d initial_angular_momentum{Eigen::Vector3d::Zero()};     ///< kg m^2/s about C.
-  Eigen::Matrix3Xd reference_p_WC;                                       ///< 3 x (N+1), m.
-  Eigen::Matrix3Xd reference_angular_momentum;                           ///< 3 x (N+1).
-  Eigen::Matrix3Xd external_force_N;                                     ///< 3 x N.
-  Eigen::Matrix3Xd external_torque_Nm;                                   ///< 3 x N, about C.
+  Eigen::Vector3d initial_p_WC{Eigen::Vector3d::Zero()};              ///< m.
+  Eigen::Vector3d initial_linear_momentum{Eigen::Vector3d::Zero()};   ///< kg m/s.
+  Eigen::Vector3d initial_angular_momentum{Eigen::Vector3d::Zero()};  ///< kg m^2/s about C.
+  Eigen::Matrix3Xd reference_p_WC;                                    ///< 3 x (N+1), m.
+  Eigen::Matrix3Xd reference_angular_momentum;                        ///< 3 x (N+1).
+  Eigen::Matrix3Xd external_force_N;                                  ///< 3 x N.
+  Eigen::Matrix3Xd external_torque_Nm;                                ///< 3 x N, about C.
   OcpWeights weights;
   Eigen::MatrixX3d friction_A;  ///< rows x 3: A R^T f <= b at every vertex.
   Eigen::VectorXd friction_b;   ///< N.
@@ -80,5 +80,11 @@ int ActivePhase(const OcpContact& contact, int k);
 /// Throws ContractViolation if shapes, knots or phases are inconsistent (a program's bug; files
 /// are checked by the reader). An empty box (lower > upper) passes: it is an infeasible problem.
 void CheckShapes(const CentroidalOcp& ocp);
+
+/// True if every number of the problem that its optimum may depend on is finite.
+bool IsFinite(const CentroidalOcp& ocp);
+
+/// True if a free phase that touches the horizon has lower > upper: no optimum exists.
+bool HasEmptyBox(const CentroidalOcp& ocp);
 
 }  // namespace sidestep::mpc

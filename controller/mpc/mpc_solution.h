@@ -11,8 +11,8 @@ namespace sidestep::mpc {
 enum class SolveStatus {
   kNotSolved,
   kSolved,
-  kAcceptable,      ///< Stopped close to an optimum (looser tolerances).
-  kInfeasible,      ///< Converged to a point of local infeasibility.
+  kAcceptable,  ///< Stopped close to an optimum (looser tolerances).
+  kInfeasible,  ///< Converged to a point of local infeasibility.
   kIterationLimit,
   kNumericalError,  ///< Non-finite input or a failed factorisation.
 };

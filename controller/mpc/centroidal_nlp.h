@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// centroidal_nlp: a CentroidalOcp as a sparse non-linear program with exact derivatives.
+//
+//   min J(x)   subject to   lower <= g(x) <= upper,   x_lower <= x <= x_upper
+//
+// Variables and rows: see nlp_layout.h (mass-normalised). J is quadratic and g at most bilinear,
+// so the Hessian of the Lagrangian does not depend on x. Independent of any solver.
+// Source: Romualdi et al., ICRA 2022, section III; derivatives by hand, checked by differences.
+
+#include <Eigen/Core>
+
+#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/nlp_layout.h"
+
+namespace sidestep::mpc {
+
+/// Bounds beyond +-kNlpInfinity are none (Ipopt's own convention).
+constexpr double kNlpInfinity = 2e19;
+
+/// The NLP of one problem at a time. Nothing allocates once the largest problem has been set.
+class CentroidalNlp {
+ public:
+  using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
+  using Vector = Eigen::Ref<Eigen::VectorXd>;
+
+  /// Takes `ocp` (kept by reference: it must outlive its use here) and lays it out.
+  /// Throws ContractViolation if CheckShapes() does.
+  void SetProblem(const CentroidalOcp& ocp);
+
+  const CentroidalOcp& ocp() const { return *ocp_; }
+  const NlpLayout& layout() const { return layout_; }
+  int num_variables() const { return layout_.num_variables(); }
+  int num_constraints() const { return layout_.num_constraints(); }
+  int num_jacobian_entries() const { return num_jacobian_entries_; }
+  int num_hessian_entries() const { return num_hessian_entries_; }
+
+  void VariableBounds(Vector lower, Vector upper) const;
+  void ConstraintBounds(Vector lower, Vector upper) const;
+
+  double Cost(ConstVector x) const;
+  void Gradient(ConstVector x, Vector gradient) const;
+  void Constraints(ConstVector x, Vector g) const;
+
+  /// Row and column of each entry of dg/dx, from 0, no entry twice. Arrays of
+  /// num_jacobian_entries().
+  void JacobianStructure(int* rows, int* columns) const;
+  void JacobianValues(ConstVector x, double* values) const;
+
+  /// Lower triangle of  cost_factor d2J/dx2 + sum_r multipliers[r] d2g_r/dx2, from 0, no entry
+  /// twice. Arrays of num_hessian_entries().
+  void HessianStructure(int* rows, int* columns) const;
+  void HessianValues(double cost_factor, ConstVector multipliers, double* values) const;
+
+  /// Largest violation of a constraint or bound at x in SI: momentum in kg m/s and kg m^2/s,
+  /// force in N, place in m.
+  double ConstraintViolation(ConstVector x) const;
+
+ private:
+  static constexpr int kPosition = 0;  // Offsets within a state.
+  static constexpr int kVelocity = 3;
+  static constexpr int kAngular = 6;
+
+  void CountEntries();
+  template <typename Emit>
+  void VisitJacobian(const ConstVector* x, Emit&& emit) const;
+  template <typename Emit>
+  void VisitHessian(double cost_factor, const ConstVector* multipliers, Emit&& emit) const;
+  template <typename Emit>
+  void VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const;
+
+  const ContactPhase& PhaseOf(int contact, int phase) const;
+  Eigen::Vector3d StateOrInitial(ConstVector x, int k, int part) const;
+  Eigen::Vector3d VertexPosition(ConstVector x, const ForceSlot& slot) const;
+  double ForceCost(ConstVector x) const;
+  void ForceGradient(ConstVector x, Vector gradient) const;
+  Eigen::Vector3d MeanForce(ConstVector x, const ForceSlot& slot) const;
+  Eigen::Vector3d PreviousForce(const ForceSlot& slot) const;
+  int NumVertices(const ForceSlot& slot) const;
+
+  const CentroidalOcp* ocp_{nullptr};
+  NlpLayout layout_;
+  int num_jacobian_entries_{0};
+  int num_hessian_entries_{0};
+  mutable Eigen::VectorXd scratch_;  ///< Constraint values of ConstraintViolation().
+};
+
+}  // namespace sidestep::mpc

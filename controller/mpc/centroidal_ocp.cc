@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/mpc/centroidal_ocp.h"
+
+#include <cmath>
+
+#include "models/support/require.h"
+
+namespace sidestep::mpc {
+namespace {
+
+void CheckContact(const OcpContact& contact) {
+  const Eigen::Index num_vertices = contact.vertices_m.cols();
+  SIDESTEP_REQUIRE(num_vertices >= 1, num_vertices);
+  if (contact.has_previous_force) {
+    SIDESTEP_REQUIRE(contact.previous_force_N.cols() == num_vertices,
+                     contact.previous_force_N.cols());
+  }
+  int free_from = 0;  // The first knot that no earlier phase occupies.
+  for (const ContactPhase& phase : contact.phases) {
+    SIDESTEP_REQUIRE(phase.first_knot >= free_from, phase.first_knot);
+    SIDESTEP_REQUIRE(phase.end_knot > phase.first_knot, phase.end_knot);
+    free_from = phase.end_knot;
+  }
+}
+
+bool IsFinite(const ContactPhase& phase) {
+  return phase.R_WF.allFinite() &&
+         (phase.fixed ? phase.p_WF.allFinite()
+                      : phase.nominal_p_WF.allFinite() && phase.box_lower_m.allFinite() &&
+                            phase.box_upper_m.allFinite());
+}
+
+bool IsFinite(const OcpWeights& weights) {
+  return weights.com.allFinite() && weights.angular_momentum.allFinite() &&
+         weights.contact_position.allFinite() && weights.force_symmetry.allFinite() &&
+         weights.force_rate.allFinite() && weights.new_contact_force.allFinite();
+}
+
+}  // namespace
+
+int ActivePhase(const OcpContact& contact, int k) {
+  for (std::size_t q = 0; q < contact.phases.size(); ++q) {
+    if (contact.phases[q].first_knot <= k && k < contact.phases[q].end_knot) {
+      return static_cast<int>(q);
+    }
+  }
+  return -1;
+}
+
+void CheckShapes(const CentroidalOcp& ocp) {
+  SIDESTEP_REQUIRE(ocp.knots >= 1, ocp.knots);
+  // Written so that NaN passes: non-finite data are a status of the solver, not a broken contract.
+  SIDESTEP_REQUIRE(!(ocp.step_s <= 0.0), ocp.step_s);
+  SIDESTEP_REQUIRE(!(ocp.mass_kg <= 0.0), ocp.mass_kg);
+  const Eigen::Index num_inputs = ocp.knots;
+  SIDESTEP_REQUIRE(ocp.reference_p_WC.cols() == num_inputs + 1, ocp.reference_p_WC.cols());
+  SIDESTEP_REQUIRE(ocp.reference_angular_momentum.cols() == num_inputs + 1,
+                   ocp.reference_angular_momentum.cols());
+  SIDESTEP_REQUIRE(ocp.external_force_N.cols() == num_inputs, ocp.external_force_N.cols());
+  SIDESTEP_REQUIRE(ocp.external_torque_Nm.cols() == num_inputs, ocp.external_torque_Nm.cols());
+  SIDESTEP_REQUIRE(ocp.friction_A.rows() == ocp.friction_b.size(), ocp.friction_b.size());
+  for (const OcpContact& contact : ocp.contacts) {
+    CheckContact(contact);
+  }
+}
+
+bool IsFinite(const CentroidalOcp& ocp) {
+  bool finite = std::isfinite(ocp.step_s) && std::isfinite(ocp.mass_kg) &&
+                ocp.gravity_mps2.allFinite() && ocp.initial_p_WC.allFinite() &&
+                ocp.initial_linear_momentum.allFinite() &&
+                ocp.initial_angular_momentum.allFinite() && ocp.reference_p_WC.allFinite() &&
+                ocp.reference_angular_momentum.allFinite() && ocp.external_force_N.allFinite() &&
+                ocp.external_torque_Nm.allFinite() && IsFinite(ocp.weights) &&
+                ocp.friction_A.allFinite() && ocp.friction_b.allFinite();
+  for (const OcpContact& contact : ocp.contacts) {
+    finite = finite && contact.vertices_m.allFinite() &&
+             (!contact.has_previous_force || contact.previous_force_N.allFinite());
+    for (const ContactPhase& phase : contact.phases) {
+      finite = finite && IsFinite(phase);
+    }
+  }
+  return finite;
+}
+
+bool HasEmptyBox(const CentroidalOcp& ocp) {
+  for (const OcpContact& contact : ocp.contacts) {
+    for (const ContactPhase& phase : contact.phases) {
+      if (!phase.fixed && phase.first_knot <= ocp.knots &&
+          (phase.box_lower_m.array() > phase.box_upper_m.array()).any()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace sidestep::mpc

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/mpc/centroidal_solver.h"
+
+#include "controller/mpc/ipopt_solver.h"
+#include "models/support/require.h"
+
+namespace sidestep::mpc {
+
+std::unique_ptr<CentroidalSolver> MakeSolver(const std::string& name,
+                                             const SolverOptions& options) {
+  SIDESTEP_REQUIRE(name == "ipopt", name);
+  return MakeIpoptSolver(options);
+}
+
+}  // namespace sidestep::mpc

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// First and second derivatives of CentroidalNlp. One visitor per matrix gives both its structure
+// and its values, so the two cannot disagree.
+#include "controller/mpc/centroidal_nlp.h"
+#include "controller/mpc/skew.h"
+
+namespace sidestep::mpc {
+
+void CentroidalNlp::Gradient(ConstVector x, Vector gradient) const {
+  const OcpWeights& weights = ocp_->weights;
+  gradient.setZero();
+  for (int k = 1; k <= ocp_->knots; ++k) {
+    const int column = layout_.knots()[static_cast<std::size_t>(k)].state_column;
+    gradient.segment<3>(column + kPosition) =
+        weights.com.cwiseProduct(x.segment<3>(column + kPosition) - ocp_->reference_p_WC.col(k));
+    gradient.segment<3>(column + kAngular) = weights.angular_momentum.cwiseProduct(
+        x.segment<3>(column + kAngular) - ocp_->reference_angular_momentum.col(k) / ocp_->mass_kg);
+  }
+  for (const FreeLocation& location : layout_.locations()) {
+    const Eigen::Matrix3d& R_WF = PhaseOf(location.contact, location.phase).R_WF;
+    const Eigen::Vector3d moved_W = R_WF * x.segment<3>(location.column);
+    gradient.segment<3>(location.column).noalias() =
+        location.num_knots * R_WF.transpose() * weights.contact_position.cwiseProduct(moved_W);
+  }
+  ForceGradient(x, gradient);
+}
+
+void CentroidalNlp::ForceGradient(ConstVector x, Vector gradient) const {
+  const OcpWeights& weights = ocp_->weights;
+  const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
+  for (const ForceSlot& slot : layout_.slots()) {
+    const Eigen::Vector3d u = x.segment<3>(slot.column);
+    // The means' own derivatives cancel: deviations from a mean sum to zero.
+    Eigen::Vector3d slope = weights.force_symmetry.cwiseProduct(u - MeanForce(x, slot));
+    Eigen::Vector3d jumps = Eigen::Vector3d::Zero();
+    if (slot.next_slot >= 0) {
+      jumps += u - x.segment<3>(layout_.slots()[static_cast<std::size_t>(slot.next_slot)].column);
+    }
+    if (slot.previous_slot >= 0) {
+      jumps +=
+          u - x.segment<3>(layout_.slots()[static_cast<std::size_t>(slot.previous_slot)].column);
+    }
+    if (slot.has_previous_force) {
+      jumps += u - PreviousForce(slot);
+    }
+    slope += inverse_square * weights.force_rate.cwiseProduct(jumps);
+    if (slot.is_new) {
+      slope += weights.new_contact_force.cwiseProduct(u);
+    }
+    gradient.segment<3>(slot.column) = slope;
+  }
+}
+
+template <typename Emit>
+void CentroidalNlp::VisitJacobian(const ConstVector* x, Emit&& emit) const {
+  const double step_s = ocp_->step_s;
+  for (int k = 0; k < ocp_->knots; ++k) {
+    const KnotLayout& knot = layout_.knots()[static_cast<std::size_t>(k)];
+    const int row = NlpLayout::DynamicsRow(k);
+    const int next = layout_.knots()[static_cast<std::size_t>(k + 1)].state_column;
+    for (int a = 0; a < NlpLayout::kStateSize; ++a) {
+      emit(row + a, next + a, 1.0);
+      if (k > 0) {
+        emit(row + a, knot.state_column + a, -1.0);
+      }
+    }
+    if (k > 0) {
+      EmitDiagonal(row + kPosition, knot.state_column + kVelocity, -step_s, emit);
+    }
+    const Eigen::Vector3d p_WC = x ? StateOrInitial(*x, k, kPosition) : Eigen::Vector3d::Zero();
+    Eigen::Vector3d sum_all = Eigen::Vector3d::Zero();
+    Eigen::Vector3d sum_contact = Eigen::Vector3d::Zero();
+    for (int s = knot.first_slot; s < knot.end_slot; ++s) {
+      const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(s)];
+      const Eigen::Matrix3d& R_WF = PhaseOf(slot.contact, slot.phase).R_WF;
+      Eigen::Vector3d arm_W = Eigen::Vector3d::Zero();
+      if (x) {
+        const Eigen::Vector3d u = x->segment<3>(slot.column);
+        sum_contact = slot.vertex == 0 ? u : Eigen::Vector3d(sum_contact + u);
+        sum_all += u;
+        arm_W = VertexPosition(*x, slot) - p_WC;
+      }
+      EmitDiagonal(row + kVelocity, slot.column, -step_s, emit);
+      EmitSkew(row + kAngular, slot.column, -step_s * arm_W, emit);
+      // d (R d) x u = -[u]x R dd, summed over the vertices of the contact.
+      if (slot.location >= 0 && slot.vertex + 1 == NumVertices(slot)) {
+        const int column = layout_.locations()[static_cast<std::size_t>(slot.location)].column;
+        EmitDense(row + kAngular, column, Skew(step_s * sum_contact) * R_WF, emit);
+      }
+      for (int r = 0; r < static_cast<int>(ocp_->friction_A.rows()); ++r) {
+        const Eigen::RowVector3d face_W = ocp_->friction_A.row(r) * R_WF.transpose();
+        for (int a = 0; a < 3; ++a) {
+          emit(slot.friction_row + r, slot.column + a, face_W(a));
+        }
+      }
+    }
+    if (k > 0 && knot.end_slot > knot.first_slot) {
+      EmitSkew(row + kAngular, knot.state_column + kPosition, -step_s * sum_all, emit);
+    }
+  }
+}
+
+template <typename Emit>
+void CentroidalNlp::VisitHessian(double cost_factor, const ConstVector* multipliers,
+                                 Emit&& emit) const {
+  const OcpWeights& weights = ocp_->weights;
+  for (int k = 1; k <= ocp_->knots; ++k) {
+    const int column = layout_.knots()[static_cast<std::size_t>(k)].state_column;
+    for (int a = 0; a < 3; ++a) {
+      emit(column + kPosition + a, column + kPosition + a, cost_factor * weights.com(a));
+      emit(column + kAngular + a, column + kAngular + a, cost_factor * weights.angular_momentum(a));
+    }
+  }
+  for (const FreeLocation& location : layout_.locations()) {
+    const Eigen::Matrix3d& R_WF = PhaseOf(location.contact, location.phase).R_WF;
+    const Eigen::Matrix3d hessian = (cost_factor * location.num_knots) * R_WF.transpose() *
+                                    weights.contact_position.asDiagonal() * R_WF;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b <= a; ++b) {
+        emit(location.column + a, location.column + b, hessian(a, b));
+      }
+    }
+  }
+  for (int s = 0; s < static_cast<int>(layout_.slots().size()); ++s) {
+    VisitForceHessian(s, cost_factor, emit);
+    // lambda . ((R d - p) x u) = u . [lambda]x (R d - p) has d2/du dp = -[lambda]x and
+    // d2/dd du = -R' [lambda]x; the row carries it times -T.
+    const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(s)];
+    Eigen::Vector3d lambda = Eigen::Vector3d::Zero();
+    if (multipliers) {
+      lambda = ocp_->step_s * multipliers->segment<3>(NlpLayout::DynamicsRow(slot.knot) + kAngular);
+    }
+    if (slot.knot > 0) {
+      EmitSkew(slot.column,
+               layout_.knots()[static_cast<std::size_t>(slot.knot)].state_column + kPosition,
+               lambda, emit);
+    }
+    if (slot.location >= 0) {
+      const Eigen::Matrix3d& R_WF = PhaseOf(slot.contact, slot.phase).R_WF;
+      EmitDense(layout_.locations()[static_cast<std::size_t>(slot.location)].column, slot.column,
+                R_WF.transpose() * Skew(lambda), emit);
+    }
+  }
+}
+
+template <typename Emit>
+void CentroidalNlp::VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const {
+  const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(slot_index)];
+  const OcpWeights& weights = ocp_->weights;
+  const double share = 1.0 / NumVertices(slot);
+  const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
+  const int num_rates = (slot.next_slot >= 0 ? 1 : 0) + (slot.previous_slot >= 0 ? 1 : 0) +
+                        (slot.has_previous_force ? 1 : 0);
+  for (int a = 0; a < 3; ++a) {
+    const double rate = weights.force_rate(a) * inverse_square;
+    const double symmetry = weights.force_symmetry(a);
+    emit(slot.column + a, slot.column + a,
+         cost_factor * (symmetry * (1.0 - share) + num_rates * rate +
+                        (slot.is_new ? weights.new_contact_force(a) : 0.0)));
+    for (int j = 0; j < slot.vertex; ++j) {  // The vertices of a contact are neighbours.
+      emit(slot.column + a, slot.column + a - 3 * (slot.vertex - j),
+           -cost_factor * symmetry * share);
+    }
+    if (slot.previous_slot >= 0) {
+      const int before = layout_.slots()[static_cast<std::size_t>(slot.previous_slot)].column;
+      emit(slot.column + a, before + a, -cost_factor * rate);
+    }
+  }
+}
+
+void CentroidalNlp::JacobianStructure(int* rows, int* columns) const {
+  VisitJacobian(nullptr, [&](int row, int column, double) {
+    *rows++ = row;
+    *columns++ = column;
+  });
+}
+
+void CentroidalNlp::JacobianValues(ConstVector x, double* values) const {
+  VisitJacobian(&x, [&](int, int, double value) { *values++ = value; });
+}
+
+void CentroidalNlp::HessianStructure(int* rows, int* columns) const {
+  VisitHessian(1.0, nullptr, [&](int row, int column, double) {
+    *rows++ = row;
+    *columns++ = column;
+  });
+}
+
+void CentroidalNlp::HessianValues(double cost_factor, ConstVector multipliers,
+                                  double* values) const {
+  VisitHessian(cost_factor, &multipliers, [&](int, int, double value) { *values++ = value; });
+}
+
+void CentroidalNlp::CountEntries() {
+  num_jacobian_entries_ = 0;
+  VisitJacobian(nullptr, [this](int, int, double) { ++num_jacobian_entries_; });
+  num_hessian_entries_ = 0;
+  VisitHessian(1.0, nullptr, [this](int, int, double) { ++num_hessian_entries_; });
+}
+
+}  // namespace sidestep::mpc
