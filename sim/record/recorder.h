@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// recorder: writes a run's folder while the run goes on.
+//
+// In : truth and ControlTick of every control tick, then the outcome.
+// Out: scenario.yaml, trajectory.csv, states.bin, mpc.csv as it goes; footsteps.csv and
+//      summary.json at the end. run_reader.h reads them back.
+// A run that is cut short leaves whole rows; summary.json appears complete or not at all.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "controller/types/control_tick.h"
+#include "controller/types/tick.h"
+#include "sim/scenario/scenario.h"
+#include "sim/verdict/verdict.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+class Recorder {
+ public:
+  /// Creates `run_dir` if need be and opens its files, over older ones; removes an older summary.
+  /// @param command  The program's arguments, for the summary.
+  /// @throws ConfigError if a file can't be written, here and in every other member.
+  Recorder(const Scenario& scenario, const World& world, const std::filesystem::path& run_dir,
+           std::vector<std::string> command);
+  ~Recorder();
+
+  /// Adds the row of a control tick.
+  /// @param truth            State at `tick`, before the command acts.
+  /// @param wall_control_ms  Time that the controller took for this tick.
+  /// @param wall_mpc_ms      The MPC's part of it; 0 on ticks without a solve.
+  void Add(Tick tick, const WorldTruth& truth, const ControlTick& control, double wall_control_ms,
+           double wall_mpc_ms);
+
+  /// Closes the streams, then writes footsteps.csv and summary.json. Call once.
+  /// @param simulated_s  Time the run covered. @param wall_s  Time it took.
+  void Finish(const RunOutcome& outcome, double simulated_s, double wall_s);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sidestep

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// judge: watches every tick of a run and says what it showed.
+//
+// In : WorldTruth every tick; ControlTick on control ticks, of which only the planned contacts,
+//      the nominal CoM, the planned forces and the solvers' statuses are looked at.
+// Out: metrics, footsteps, push impulses and the verdict.
+// Flow: world, controller -> [judge] -> recorder, command line.
+//
+// Rules (bounds from the scenario's `verdict:` block; W's z = 0 is the ground):
+//   FALL    base lower than min_base_height_ratio x nominal height (the CoM on the centroidal
+//           plant), tilted by more than max_tilt_rad, or a body other than a foot on the ground.
+//   SLIP    a foot slides by more than max_slip_m in one stance, before any fall.
+//   SOLVER  the MPC fails more than five times in a row, before any fall.
+//   EXPECTATION   one per expectation that is not met.
+// A scenario that expects `fall: true` (`slip: true`) is not failed by FALL (SLIP).
+
+#include <memory>
+#include <string>
+
+#include "controller/types/control_tick.h"
+#include "controller/types/tick.h"
+#include "sim/scenario/scenario.h"
+#include "sim/verdict/verdict.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+class Judge {
+ public:
+  /// @param scenario  Copied. @param mass_kg  Of the plant, > 0.
+  Judge(const Scenario& scenario, double mass_kg);
+  ~Judge();
+
+  /// Takes one tick, in order, each once, from 0 to the end of the run, the last one included.
+  /// @param truth    State at `tick`, with the pushes that act from it.
+  /// @param control  What the controller thought at `tick`; null between control ticks.
+  /// A non-finite CoM or base makes the run INVALID (DIVERGED) and ends the judging.
+  void Add(Tick tick, const WorldTruth& truth, const ControlTick* control);
+
+  /// Makes the run INVALID. `kind` is reason::kDiverged, kInterrupted or kError.
+  void Invalidate(const std::string& kind, const std::string& text, double time_s);
+
+  /// True once nothing is left to learn: invalid, or half a second after a fall.
+  bool finished() const;
+
+  bool has_fallen() const;
+
+  /// Verdict and measures of the ticks so far.
+  RunOutcome Conclude() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sidestep
