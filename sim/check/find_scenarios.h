@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// find_scenarios: the scenario files that paths on the command line mean.
+
+#include <filesystem>
+#include <vector>
+
+namespace sidestep {
+
+/// Files as given, folders searched for *.yaml at any depth; sorted by path, each file once.
+/// @throws ConfigError for a path that does not exist and for a folder without a *.yaml.
+std::vector<std::filesystem::path> FindScenarios(const std::vector<std::filesystem::path>& paths);
+
+}  // namespace sidestep

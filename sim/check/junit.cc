@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/check/junit.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+
+namespace sidestep {
+namespace {
+
+// Length of the well-formed UTF-8 character of XML 1.0 that `text` starts with; 0 if there is none.
+std::size_t CharacterLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+  const std::uint8_t first = byte(0);
+  if (first < 0x80) {
+    return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+  }
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
+  std::uint32_t code = first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+    code = (code << 6U) | (byte(i) & 0x3FU);
+  }
+  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+  const bool is_forbidden = code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF;
+  return code < kSmallest[length] || is_surrogate || is_forbidden ? 0 : length;
+}
+
+std::string Seconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  return text;
+}
+
+std::string Attribute(const char* name, std::string_view value) {
+  return std::string(" ") + name + "=\"" + XmlEscape(value) + "\"";
+}
+
+std::string Lines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+// What a reader of the CI page needs: reasons, measured values, last words.
+std::string Details(const Outcome& outcome) {
+  std::string text = Lines(outcome.reasons) + Lines(outcome.measured);
+  if (!outcome.error_output.empty()) text += "stderr:\n" + outcome.error_output + "\n";
+  return text;
+}
+
+std::string TestCase(const Outcome& outcome) {
+  std::string xml = "    <testcase" + Attribute("name", outcome.name) +
+                    Attribute("classname", "sidestep") + Attribute("file", outcome.file.string()) +
+                    Attribute("time", Seconds(outcome.wall_s)) + ">\n";
+  if (outcome.run_class == RunClass::kPass) {
+    xml += "      <system-out>" + XmlEscape(Lines(outcome.measured)) + "</system-out>\n";
+  } else {
+    const char* element = outcome.run_class == RunClass::kFail ? "failure" : "error";
+    const std::string message = outcome.reasons.empty() ? "no reason given" : outcome.reasons[0];
+    const std::string type = message.substr(0, message.find_first_of(" :"));
+    xml += std::string("      <") + element + Attribute("message", message) +
+           Attribute("type", type) + ">" + XmlEscape(Details(outcome)) + "</" + element + ">\n";
+  }
+  return xml + "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string XmlEscape(std::string_view text) {
+  std::string escaped;
+  while (!text.empty()) {
+    const std::size_t length = CharacterLength(text);
+    const char c = text[0];
+    if (length == 1 && c == '&') {
+      escaped += "&amp;";
+    } else if (length == 1 && c == '<') {
+      escaped += "&lt;";
+    } else if (length == 1 && c == '>') {
+      escaped += "&gt;";
+    } else if (length == 1 && c == '"') {
+      escaped += "&quot;";
+    } else if (length == 1 && (c == '\n' || c == '\r' || c == '\t')) {
+      escaped += "&#" + std::to_string(static_cast<int>(c)) + ";";
+    } else {
+      escaped += text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return escaped;
+}
+
+std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s) {
+  const auto count = [&](RunClass run_class) {
+    return std::to_string(
+        std::count_if(outcomes.begin(), outcomes.end(),
+                      [&](const Outcome& outcome) { return outcome.run_class == run_class; }));
+  };
+  const std::string totals = Attribute("tests", std::to_string(outcomes.size())) +
+                             Attribute("failures", count(RunClass::kFail)) +
+                             Attribute("errors", count(RunClass::kInvalid)) +
+                             Attribute("time", Seconds(wall_s));
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + totals +
+                    ">\n  <testsuite" + Attribute("name", "sidestep") + totals + ">\n";
+  for (const Outcome& outcome : outcomes) xml += TestCase(outcome);
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace sidestep

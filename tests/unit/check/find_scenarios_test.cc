@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/check/find_scenarios.h"
+
+#include <gtest/gtest.h>
+
+#include "models/support/config_error.h"
+#include "tests/unit/check/check_test_support.h"
+
+namespace sidestep {
+namespace {
+
+using Paths = std::vector<std::filesystem::path>;
+
+TEST(FindScenariosTest, FoldersAreSearchedAtAnyDepthAndSorted) {
+  const ScratchFolder folder;
+  const auto b = folder.Write("b.yaml", "");
+  const auto deep = folder.Write("a/deep/c.yaml", "");
+  folder.Write("notes.md", "");
+  EXPECT_EQ(FindScenarios({folder.path()}), (Paths{deep, b}));
+}
+
+TEST(FindScenariosTest, AFileNamedTwiceIsFoundOnce) {
+  const ScratchFolder folder;
+  const auto a = folder.Write("a.yaml", "");
+  EXPECT_EQ(FindScenarios({a, folder.path()}).size(), 1U);
+}
+
+TEST(FindScenariosTest, AFileMayHaveAnyName) {
+  const ScratchFolder folder;
+  const auto odd = folder.Write("scenario.txt", "");
+  EXPECT_EQ(FindScenarios({odd}), Paths{odd});
+}
+
+TEST(FindScenariosTest, AMissingPathAndAFolderWithoutScenariosAreErrors) {
+  const ScratchFolder folder;
+  EXPECT_THROW(FindScenarios({folder.path() / "none.yaml"}), ConfigError);
+  EXPECT_THROW(FindScenarios({folder.path()}), ConfigError);
+}
+
+}  // namespace
+}  // namespace sidestep

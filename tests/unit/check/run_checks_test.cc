@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pool of processes, with a shell script in the program's place.
+
+#include "sim/check/run_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/unit/check/check_test_support.h"
+
+namespace sidestep {
+namespace {
+
+// Called as: script run FILE --out DIR ...; does what the file says.
+constexpr const char* kScript = R"(#!/bin/sh
+file=$2; dir=$4; mkdir -p "$dir"
+verdict=$(cat "$file")
+[ "$verdict" = CRASH ] && { echo "about to crash" >&2; kill -SEGV $$; }
+printf '{"verdict": "%s", "reasons": [], "expectations": []}' "$verdict" > "$dir/summary.json"
+echo "$*" > "$dir/arguments"
+[ "$verdict" = PASS ]
+)";
+
+struct Fixture {
+  ScratchFolder folder;
+  CheckPlan plan;
+
+  explicit Fixture(const std::vector<std::string>& verdicts) {
+    plan.program = folder.Write("program", kScript);
+    std::filesystem::permissions(plan.program, std::filesystem::perms::owner_all);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      const std::string name = "s" + std::to_string(i);
+      plan.items.push_back({name, folder.Write(name + ".yaml", verdicts[i]), folder.path() / name});
+    }
+  }
+};
+
+TEST(RunChecksTest, OutcomesComeInTheItemsOrderWhateverTheNumberOfJobs) {
+  for (const int jobs : {1, 2, 8}) {
+    Fixture fixture({"PASS", "FAIL", "CRASH", "PASS"});
+    fixture.plan.jobs = jobs;
+    std::size_t last_done = 0;
+    const auto outcomes = RunChecks(
+        fixture.plan, [] { return false; },
+        [&](const Outcome&, std::size_t num_done) { EXPECT_EQ(num_done, ++last_done); });
+    ASSERT_EQ(outcomes.size(), 4U);
+    EXPECT_EQ(last_done, 4U);
+    EXPECT_EQ(outcomes[0].run_class, RunClass::kPass);
+    EXPECT_EQ(outcomes[1].run_class, RunClass::kFail);
+    EXPECT_EQ(outcomes[2].run_class, RunClass::kInvalid);
+    EXPECT_EQ(outcomes[2].error_output, "about to crash");
+    EXPECT_EQ(outcomes[3].name, "s3");
+  }
+}
+
+TEST(RunChecksTest, EveryRunGetsThePlansArguments) {
+  Fixture fixture({"PASS"});
+  fixture.plan.arguments = {"--no-video", "--set", "world.friction=0.5"};
+  RunChecks(
+      fixture.plan, [] { return false; }, [](const Outcome&, std::size_t) {});
+  std::ifstream in(fixture.folder.path() / "s0/arguments");
+  std::string arguments;
+  std::getline(in, arguments);
+  EXPECT_NE(arguments.find("--force --quiet --no-video --set world.friction=0.5"),
+            std::string::npos)
+      << arguments;
+}
+
+TEST(RunChecksTest, AfterAStopNothingIsStartedAndTheRestIsInvalid) {
+  Fixture fixture({"PASS", "PASS", "PASS"});
+  bool stop = false;
+  const auto outcomes = RunChecks(
+      fixture.plan, [&] { return stop; }, [&](const Outcome&, std::size_t) { stop = true; });
+  EXPECT_EQ(outcomes[0].run_class, RunClass::kPass);
+  EXPECT_EQ(outcomes[1].run_class, RunClass::kInvalid);
+  EXPECT_EQ(outcomes[2].reasons[0], "INTERRUPTED: it was not started");
+  EXPECT_FALSE(std::filesystem::exists(fixture.folder.path() / "s1"));
+}
+
+TEST(RunChecksTest, AProgramThatCannotBeStartedIsInvalid) {
+  Fixture fixture({"PASS"});
+  fixture.plan.program = fixture.folder.path() / "absent";
+  const auto outcomes = RunChecks(
+      fixture.plan, [] { return false; }, [](const Outcome&, std::size_t) {});
+  EXPECT_EQ(outcomes[0].run_class, RunClass::kInvalid);
+}
+
+}  // namespace
+}  // namespace sidestep
