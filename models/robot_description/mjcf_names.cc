@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/robot_description/mjcf_names.h"
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+#include <regex>
+
+#include "models/mjcf/mjcf.h"
+#include "models/support/config_error.h"
+
+namespace sidestep {
+namespace {
+
+/// One line of MuJoCo's message, with its place where we put ours.
+[[noreturn]] void FailToCompile(const std::filesystem::path& mjcf, const std::string& message) {
+  const std::string flat = std::regex_replace(message, std::regex("\\s*\\n\\s*"), "; ");
+  std::smatch place;
+  const std::regex line_rule("[,;]?\\s*\\(?line (?:= )?(\\d+)(?:, column (?:= )?(-?\\d+))?\\)?");
+  if (!std::regex_search(flat, place, line_rule)) {
+    throw ConfigError(mjcf.string() + ": error: " + flat);
+  }
+  const int column = place[2].matched ? std::stoi(place[2]) : 1;
+  throw ConfigError(mjcf.string(), std::stoi(place[1]), column > 0 ? column : 1,
+                    place.prefix().str() + place.suffix().str());
+}
+
+std::vector<std::string> NamesOf(const mjModel& model, int type, int count) {
+  std::vector<std::string> names;
+  for (int id = 0; id < count; ++id) {
+    const char* name = mj_id2name(&model, type, id);
+    if (name != nullptr) names.emplace_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+MjcfNames ReadMjcfNames(const std::filesystem::path& mjcf) {
+  std::array<char, 1000> error{};
+  const MjModelPtr model(
+      mj_loadXML(mjcf.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!model) FailToCompile(mjcf, error.data());
+
+  MjcfNames names;
+  names.bodies = NamesOf(*model, mjOBJ_BODY, model->nbody);
+  std::erase(names.bodies, "world");
+  names.sites = NamesOf(*model, mjOBJ_SITE, model->nsite);
+  names.sensors = NamesOf(*model, mjOBJ_SENSOR, model->nsensor);
+  for (int id = 0; id < model->njnt; ++id) {
+    const int type = model->jnt_type[id];
+    const bool is_free = type == mjJNT_FREE;
+    const char* name = is_free ? mj_id2name(model.get(), mjOBJ_BODY, model->jnt_bodyid[id])
+                               : mj_id2name(model.get(), mjOBJ_JOINT, id);
+    if (name == nullptr) continue;
+    if (is_free) names.free_bodies.emplace_back(name);
+    if (type == mjJNT_HINGE || type == mjJNT_SLIDE) names.joints.emplace_back(name);
+  }
+  return names;
+}
+
+}  // namespace sidestep

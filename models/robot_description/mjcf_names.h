@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// mjcf_names: what an MJCF calls its parts, as MuJoCo's compiler sees them.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sidestep {
+
+/// Names in the order of the compiled model; unnamed parts are left out.
+struct MjcfNames {
+  std::vector<std::string> bodies;       ///< But the world.
+  std::vector<std::string> free_bodies;  ///< Bodies that carry a free joint.
+  std::vector<std::string> sites;
+  std::vector<std::string> joints;  ///< Hinges and slides.
+  std::vector<std::string> sensors;
+};
+
+/// Compiles an MJCF. Throws ConfigError with MuJoCo's message, as `file:line:column: error: ...`
+/// where MuJoCo tells the place, else `file: error: ...`.
+MjcfNames ReadMjcfNames(const std::filesystem::path& mjcf);
+
+}  // namespace sidestep

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// apply_override: `--set a.b=c`, an edit of a scenario's tree before it is read strictly.
+
+#include <string>
+
+#include "models/support/config_tree.h"
+
+namespace sidestep {
+
+/// Replaces or adds one value. `assignment` is a dotted path, `=`, and any YAML value; list
+/// elements go by index: `pushes.0.start_s=2`, `gait={type: hop}`. A key that the file lacks is
+/// added (the reader refuses unknown ones); a list is not lengthened.
+/// Throws ConfigError: `--set a.b=c: error: ...`. Errors that the reader later finds in the new
+/// value read the same way.
+void ApplyOverride(const std::string& assignment, ConfigTree* root);
+
+}  // namespace sidestep

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/scenario/check_scenario.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "models/support/config_node.h"
+#include "models/support/nearest_name.h"
+
+namespace sidestep {
+namespace {
+
+// Decimal periods are not exact in binary; 1e-6 of a step is far above their rounding.
+constexpr double kRatioTolerance = 1e-6;
+constexpr double kTimeTolerance_s = 1e-9;
+
+/// Fails about `path` at its own place or, if the file leaves it to its default, at `other`'s.
+[[noreturn]] void FailAtEither(const ConfigTree& root, const std::string& path,
+                               const std::string& other, const std::string& what) {
+  const ConfigTree* culprit = FindPath(root, path);
+  if (culprit == nullptr) culprit = FindPath(root, other);
+  if (culprit == nullptr) FailAtPath(root, path, what);
+  FailAt(culprit->place, path + " " + what);
+}
+
+bool IsWholeNumberOf(double unit_s, double period_s) {
+  const double ratio = period_s / unit_s;
+  return std::round(ratio) >= 1.0 && std::abs(ratio - std::round(ratio)) < kRatioTolerance;
+}
+
+void CheckRates(const Scenario& scenario, const ConfigTree& root) {
+  const double step_s = scenario.world.step_s;
+  const double control_hz = scenario.control.rate_hz;
+  const double mpc_hz = scenario.control.mpc.rate_hz;
+  const double knot_s = scenario.control.mpc.step_s;
+  const std::string steps = "physics steps (world.step_s = " + NumberText(step_s) + ")";
+  if (!IsWholeNumberOf(step_s, 1.0 / control_hz)) {
+    FailAtEither(
+        root, "control.rate_hz", "world.step_s",
+        "= " + NumberText(control_hz) + " has a period that is no whole number of " + steps);
+  }
+  if (!IsWholeNumberOf(1.0 / control_hz, 1.0 / mpc_hz)) {
+    FailAtEither(root, "control.mpc.rate_hz", "control.rate_hz",
+                 "= " + NumberText(mpc_hz) + " has a period that is no whole number of control " +
+                     "periods (control.rate_hz = " + NumberText(control_hz) + ")");
+  }
+  if (!IsWholeNumberOf(step_s, knot_s)) {
+    FailAtEither(root, "control.mpc.step_s", "world.step_s",
+                 "= " + NumberText(knot_s) + " is no whole number of " + steps);
+  }
+}
+
+void CheckMpc(const MpcParams& mpc, const ConfigTree& root) {
+  static const std::array<std::string, 1> kBackends{"ipopt"};
+  if (std::find(kBackends.begin(), kBackends.end(), mpc.backend) == kBackends.end()) {
+    FailAtPath(root, "control.mpc.backend",
+               "= '" + mpc.backend + "' is not known; " +
+                   DidYouMean(mpc.backend, kBackends, "known values"));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (mpc.box_lower_m[axis] <= mpc.box_upper_m[axis]) continue;
+    const std::string index = "." + std::to_string(axis);
+    FailAtEither(root, "control.mpc.box_lower_m" + index, "control.mpc.box_upper_m" + index,
+                 "= " + NumberText(mpc.box_lower_m[axis]) + " is above box_upper_m" + index +
+                     " = " + NumberText(mpc.box_upper_m[axis]));
+  }
+}
+
+void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
+  if (scenario.plant == Plant::kMujoco && scenario.description_of_robot.mjcf.empty()) {
+    FailAtEither(root, "plant", "robot",
+                 "= mujoco needs a robot with an MJCF, which '" + scenario.robot +
+                     "' lacks; write plant: centroidal");
+  }
+}
+
+void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
+  const std::size_t feet = scenario.description_of_robot.feet.size();
+  const bool is_list = root.Find("gait") != nullptr && root.Find("gait")->kind == ConfigKind::kList;
+  for (std::size_t i = 0; i < scenario.gait.size(); ++i) {
+    const GaitParams& gait = scenario.gait[i];
+    const std::string path = is_list ? "gait." + std::to_string(i) : "gait";
+    const bool is_late = i == 0 && gait.start_s != 0.0;
+    const bool is_early = i > 0 && gait.start_s <= scenario.gait[i - 1].start_s;
+    if (is_late) FailAtPath(root, path + ".start_s", "must be 0 for the first gait");
+    if (is_early) {
+      FailAtPath(root, path + ".start_s",
+                 "= " + NumberText(gait.start_s) + " must be after the gait before it, at " +
+                     NumberText(scenario.gait[i - 1].start_s));
+    }
+    const bool needs_two = gait.type == GaitType::kWalk || gait.type == GaitType::kRun;
+    const bool needs_one = gait.type == GaitType::kHop;
+    if ((needs_two && feet != 2) || (needs_one && feet != 1)) {
+      FailAtPath(root, path + ".type",
+                 "= " + std::string(EnumName(gait.type)) + " needs a robot of " +
+                     (needs_two ? "2 feet" : "1 foot") + "; '" + scenario.robot + "' has " +
+                     std::to_string(feet));
+    }
+    if (feet == 1 && gait.step_width_m != 0.0) {
+      FailAtPath(root, path + ".step_width_m",
+                 "= " + NumberText(gait.step_width_m) + " must be 0 for a robot of 1 foot");
+    }
+  }
+}
+
+/// Parts that a push may name: the MJCF's, or the reduced model's on the centroidal plant.
+std::vector<std::string> PushableParts(const Scenario& scenario) {
+  RobotDescription robot = scenario.description_of_robot;
+  if (scenario.plant == Plant::kCentroidal) robot.mjcf.clear();
+  RobotNames names = NamesIn(robot);
+  names.bodies.insert(names.bodies.end(), names.frames.begin(), names.frames.end());
+  return std::move(names.bodies);
+}
+
+void CheckPushes(const Scenario& scenario, const ConfigTree& root) {
+  if (scenario.pushes.empty()) return;
+  const std::vector<std::string> parts = PushableParts(scenario);
+  for (std::size_t i = 0; i < scenario.pushes.size(); ++i) {
+    const Push& push = scenario.pushes[i];
+    const std::string path = "pushes." + std::to_string(i);
+    if (std::find(parts.begin(), parts.end(), push.body) == parts.end()) {
+      FailAtPath(root, path + ".body",
+                 "= '" + push.body + "' is no body or frame of '" + scenario.robot + "'; " +
+                     DidYouMean(push.body, parts, "known ones"));
+    }
+    const double end_s = push.start_s + push.duration_s;
+    if (end_s > scenario.duration_s + kTimeTolerance_s) {
+      FailAtPath(root, path,
+                 "ends at " + NumberText(end_s) +
+                     " s, after the scenario's duration_s = " + NumberText(scenario.duration_s));
+    }
+  }
+}
+
+}  // namespace
+
+void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
+  CheckPlant(scenario, root);
+  CheckRates(scenario, root);
+  CheckMpc(scenario.control.mpc, root);
+  CheckGaits(scenario, root);
+  CheckPushes(scenario, root);
+}
+
+}  // namespace sidestep

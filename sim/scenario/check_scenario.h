@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// check_scenario: what no single key of a scenario can tell: whether the keys fit together.
+
+#include "models/support/config_tree.h"
+#include "sim/scenario/scenario.h"
+
+namespace sidestep {
+
+/// Checks that the robot suits plant and gaits, that pushes name its parts and end in time, that
+/// rates are whole numbers of physics steps, that boxes are not empty and the back end exists.
+/// `root` is the tree the scenario was read from; throws ConfigError at the offending place.
+void CheckScenario(const Scenario& scenario, const ConfigTree& root);
+
+}  // namespace sidestep

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// read_sections: the parts of a scenario file that are more than a list of fields.
+//
+// Every function throws ConfigError at the offending place.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "models/support/config_node.h"
+#include "sim/scenario/scenario.h"
+
+namespace sidestep {
+
+/// `gait: {...}` or a list of them; standing if there is none. A robot of one foot has step_width_m
+/// 0 unless told otherwise.
+std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node, std::size_t foot_count);
+
+/// `pushes: [...]`, each with force_N, or with magnitude_N and direction_rad in the heading frame.
+std::vector<Push> ReadPushes(const ConfigNode& node);
+
+/// `expect: {metric: number | bool | {min, max}}`, in the file's order.
+std::vector<Expectation> ReadExpectations(const ConfigNode& node);
+
+/// `video: {size, fps, camera}`, `true` or `false`.
+VideoParams ReadVideo(const ConfigNode& node);
+
+}  // namespace sidestep

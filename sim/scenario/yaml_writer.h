@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// yaml_writer: parameter structs as YAML text that reads back to the very same values.
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "controller/types/field.h"
+#include "models/support/config_node.h"
+
+namespace sidestep {
+
+/// `text` as a YAML scalar: plain where that is safe, else double-quoted with escapes.
+std::string YamlScalar(std::string_view text);
+
+/// `[x, y, z]`.
+std::string YamlVector(const Eigen::Vector3d& value);
+
+/// Appends block-style maps, two columns a level.
+class YamlWriter {
+ public:
+  /// Writes `key: value`, where `value` is YAML already.
+  void Line(std::string_view key, std::string_view value);
+
+  /// Begins a map under `key`; End() ends it.
+  void Begin(std::string_view key);
+  void End() { --depth_; }
+
+  /// Begins a list element that is a map: the next line carries the dash.
+  void BeginElement();
+  void EndElement() { --depth_; }
+
+  /// Writes every field of a struct with VisitFields.
+  template <typename T>
+  void Fields(const T& value) {
+    T::VisitFields(value, *this);
+  }
+
+  // The visitor's face.
+  void operator()(const char* key, double value, Range /*range*/) { Line(key, NumberText(value)); }
+  void operator()(const char* key, int value, Range /*range*/) { Line(key, std::to_string(value)); }
+  void operator()(const char* key, const Eigen::Vector3d& value, Range /*range*/) {
+    Line(key, YamlVector(value));
+  }
+  template <typename T>
+  void operator()(const char* key, const T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+      Line(key, value ? "true" : "false");
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      Line(key, YamlScalar(value));
+    } else if constexpr (std::is_enum_v<T>) {
+      Line(key, EnumName(value));
+    } else {
+      Begin(key);
+      Fields(value);
+      End();
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  int depth_{0};
+  bool has_dash_{false};
+};
+
+}  // namespace sidestep
