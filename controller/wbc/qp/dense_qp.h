@@ -25,6 +25,10 @@
 
 namespace sidestep::wbc {
 
+namespace internal {
+class QpWorkspace;
+}
+
 /// Sizes of a problem, or the largest sizes a solver has room for.
 struct DenseQpDimensions {
   int variables{0};     ///< n
@@ -135,8 +139,7 @@ class DenseQpSolver {
   const DenseQpSolution& Solve(const DenseQpView& problem, const DenseQpSolution* guess = nullptr);
 
  private:
-  class Workspace;
-  std::unique_ptr<Workspace> workspace_;
+  std::unique_ptr<internal::QpWorkspace> workspace_;
 };
 
 }  // namespace sidestep::wbc
