@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/verdict/fall_meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace sidestep {
+namespace {
+
+std::string Compared(const char* what, double measured, const char* relation, double bound,
+                     const char* unit) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%s %.3f %s is %s %.3f %s", what, measured, unit, relation,
+                bound, unit);
+  return text;
+}
+
+}  // namespace
+
+double TiltRad(const Eigen::Quaterniond& q_WB) {
+  // atan2 keeps its digits near upright, where acos loses half of them.
+  const Eigen::Vector3d z_W = q_WB * Eigen::Vector3d::UnitZ();
+  return std::atan2(z_W.head<2>().norm(), z_W.z());
+}
+
+FallMeter::FallMeter(const Scenario& scenario)
+    : bounds_(scenario.verdict),
+      is_centroidal_(scenario.plant == Plant::kCentroidal),
+      nominal_height_m_(is_centroidal_ ? scenario.description_of_robot.com_height_m
+                                       : scenario.description_of_robot.base_height_m) {}
+
+void FallMeter::Add(Tick tick, const WorldTruth& truth) {
+  const double height_m = is_centroidal_ ? truth.p_WC.z() : truth.p_WB.z();
+  const double tilt_rad = TiltRad(truth.q_WB);
+  min_height_m_ = std::min(min_height_m_, height_m);
+  max_tilt_rad_ = std::max(max_tilt_rad_, tilt_rad);
+  if (fall_tick_) return;
+
+  const double lowest_m = bounds_.min_base_height_ratio * nominal_height_m_;
+  if (truth.body_touches_ground) {
+    cause_ = "a body other than a foot touches the ground";
+  } else if (height_m < lowest_m) {
+    cause_ =
+        Compared(is_centroidal_ ? "CoM height" : "base height", height_m, "below", lowest_m, "m");
+  } else if (tilt_rad > bounds_.max_tilt_rad) {
+    cause_ = Compared("base tilt", tilt_rad, "above", bounds_.max_tilt_rad, "rad");
+  } else {
+    return;
+  }
+  fall_tick_ = tick;
+}
+
+}  // namespace sidestep

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// fall_meter: whether and when the robot fell, and how low and tilted it got.
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "controller/types/tick.h"
+#include "sim/scenario/scenario.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+/// Angle between B's z axis and the vertical (rad), in [0, pi].
+double TiltRad(const Eigen::Quaterniond& q_WB);
+
+class FallMeter {
+ public:
+  explicit FallMeter(const Scenario& scenario);
+
+  /// Takes the truth of one tick; it must be finite.
+  void Add(Tick tick, const WorldTruth& truth);
+
+  bool has_fallen() const { return fall_tick_.has_value(); }
+
+  /// Tick of the first sign of the fall, and what it was, in one line.
+  std::optional<Tick> fall_tick() const { return fall_tick_; }
+  const std::string& cause() const { return cause_; }
+
+  double min_height_m() const { return min_height_m_; }  ///< Infinite before the first tick.
+  double max_tilt_rad() const { return max_tilt_rad_; }
+
+ private:
+  VerdictParams bounds_;
+  bool is_centroidal_;
+  double nominal_height_m_;
+  double min_height_m_{std::numeric_limits<double>::infinity()};
+  double max_tilt_rad_{0.0};
+  std::optional<Tick> fall_tick_;
+  std::string cause_;
+};
+
+}  // namespace sidestep
