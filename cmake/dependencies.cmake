@@ -18,3 +18,6 @@ foreach(lib IPOPT EIGEN3 OSMESA URDFDOM)
                           INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${dirs}")
   endif()
 endforeach()
+
+# Debian's exported MuJoCo target names an include folder that no package brings.
+set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// leg_odometry: a Kalman filter of base and footholds from the IMU and the legs' encoders.
+//
+// Attitude and angular rate come from the IMU. The filter's state is
+//   x = [p_WU, v_WU, p_WF_1 .. p_WF_n]     (IMU position and velocity, footholds; all in W)
+// predicted with the accelerometer, corrected by a standing foot's kinematics: the foot is where
+// its foothold is, does not move, and stands on flat ground at its sole's height.
+//
+// Source: Bloesch et al., "State estimation for legged robots", RSS 2012, with the attitude taken
+// as known, which makes the filter linear.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/estimator/state_estimator.h"
+#include "controller/model/rigid_body.h"
+#include "controller/types/control_params.h"
+
+namespace sidestep {
+
+class LegOdometry final : public StateEstimator {
+ public:
+  /// `rigid_body` must outlive the estimator; Update() leaves it at the new state.
+  /// `dt_s` is the time between frames. The base starts upright over the world's origin, at the
+  /// robot's base height.
+  LegOdometry(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
+              RigidBody* rigid_body);
+
+  const RobotState& Update(const SensorFrame& frame) override;
+
+ private:
+  void Predict(const Eigen::Vector3d& a_WU);
+  void ReleaseFoot(std::size_t foot);
+  void CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W, const Eigen::Vector3d& v_UF_W);
+  void CorrectScalar(const Eigen::Ref<const Eigen::RowVectorXd>& H, double innovation,
+                     double variance);
+
+  RobotDescription robot_;
+  EstimatorParams params_;
+  double dt_s_;
+  RigidBody* rigid_body_;
+  Eigen::VectorXd x_;
+  Eigen::MatrixXd P_;
+  Eigen::VectorXd PHt_;   // scratch
+  Eigen::RowVectorXd H_;  // scratch
+  std::vector<bool> stands_;
+  RobotState state_;
+};
+
+}  // namespace sidestep

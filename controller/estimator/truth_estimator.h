@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// truth_estimator: estimators that are told the state: `estimator: truth`, and the centroidal
+// plant.
+
+#include "controller/estimator/state_estimator.h"
+#include "controller/model/rigid_body.h"
+#include "controller/types/control_params.h"
+
+namespace sidestep {
+
+/// Believes SensorFrame::truth. For comparison with LegOdometry only.
+class TruthEstimator final : public StateEstimator {
+ public:
+  /// `rigid_body` must outlive the estimator; Update() leaves it at the new state.
+  TruthEstimator(const EstimatorParams& params, RigidBody* rigid_body);
+  const RobotState& Update(const SensorFrame& frame) override;
+
+ private:
+  EstimatorParams params_;
+  RigidBody* rigid_body_;
+  RobotState state_;
+};
+
+/// Believes SensorFrame::centroidal, the reduced state that the centroidal plant measures.
+class CentroidalEstimator final : public StateEstimator {
+ public:
+  CentroidalEstimator(int num_feet, double mass_kg, double contact_threshold_N);
+  const RobotState& Update(const SensorFrame& frame) override;
+
+ private:
+  double mass_kg_;
+  double contact_threshold_N_;
+  RobotState state_;
+};
+
+}  // namespace sidestep

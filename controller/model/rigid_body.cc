@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/model/rigid_body.h"
+
+#include "models/mjcf/quaternion.h"
+#include "models/support/require.h"
+
+namespace sidestep {
+namespace {
+
+// World around the robot for the controller: nothing but gravity.
+constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.xml\"/></mujoco>";
+
+}  // namespace
+
+RigidBody::RigidBody(const RobotDescription& robot)
+    : model_(CompileMjcf(kBareWorld, ReadTextFile(robot.mjcf), robot.mjcf)),
+      data_(MakeData(*model_)),
+      gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(model_->opt.gravity)) {
+  ResolveNames(robot);
+  const int nv = model_->nv;
+  mass_matrix_.setZero(nv, nv);
+  mass_matrix_rows_.setZero(nv, nv);
+  bias_.setZero(nv);
+  velocity_.setZero(nv);
+  com_jacobian_.setZero(3, nv);
+  feet_.resize(robot.feet.size());
+  for (FootKinematics& foot : feet_) foot.J.setZero(3, nv);
+  mass_kg_ = mj_getTotalmass(model_.get());
+}
+
+void RigidBody::ResolveNames(const RobotDescription& robot) {
+  base_body_ = RequireId(*model_, mjOBJ_BODY, robot.base);
+  const int root = model_->body_jntadr[base_body_];
+  SIDESTEP_REQUIRE(root == 0 && model_->jnt_type[0] == mjJNT_FREE, robot.base);
+  for (const FootDescription& foot : robot.feet) {
+    foot_site_.push_back(RequireId(*model_, mjOBJ_SITE, foot.frame));
+  }
+  const int imu = RequireId(*model_, mjOBJ_SITE, robot.imu);
+  SIDESTEP_REQUIRE(model_->site_bodyid[imu] == base_body_, robot.imu);
+  p_BU_ = Eigen::Map<const Eigen::Vector3d>(model_->site_pos + 3 * imu);
+  q_BU_ = FromMuJoCo(model_->site_quat + 4 * imu);
+  torque_limit_Nm_.setZero(model_->nu);
+  for (int actuator = 0; actuator < model_->nu; ++actuator) {
+    SIDESTEP_REQUIRE(model_->actuator_trntype[actuator] == mjTRN_JOINT, actuator);
+    const int joint = model_->actuator_trnid[2 * actuator];
+    actuated_position_.push_back(model_->jnt_qposadr[joint]);
+    actuated_velocity_.push_back(model_->jnt_dofadr[joint]);
+    torque_limit_Nm_[actuator] = model_->actuator_ctrlrange[2 * actuator + 1];
+  }
+}
+
+void RigidBody::SetState(const RobotState& state) {
+  Eigen::Map<Eigen::Vector3d>(data_->qpos) = state.p_WB;
+  ToMuJoCo(state.q_WB, data_->qpos + 3);
+  Eigen::Map<Eigen::Vector3d>(data_->qvel) = state.v_WB;
+  Eigen::Map<Eigen::Vector3d>(data_->qvel + 3) = state.w_WB_B;
+  for (std::size_t i = 0; i < actuated_position_.size(); ++i) {
+    data_->qpos[actuated_position_[i]] = state.joint_position[static_cast<Eigen::Index>(i)];
+    data_->qvel[actuated_velocity_[i]] = state.joint_velocity[static_cast<Eigen::Index>(i)];
+  }
+  velocity_ = Eigen::Map<const Eigen::VectorXd>(data_->qvel, model_->nv);
+}
+
+void RigidBody::Update(const RobotState& state) {
+  const mjModel* model = model_.get();
+  mjData* data = data_.get();
+  SetState(state);
+  mj_kinematics(model, data);
+  mj_comPos(model, data);
+  mj_crb(model, data);
+  mj_comVel(model, data);
+  mj_passive(model, data);
+  mj_rne(model, data, 0, data->qfrc_bias);
+  mj_subtreeVel(model, data);
+
+  mj_fullM(model, mass_matrix_rows_.data(), data->qM);
+  mass_matrix_ = mass_matrix_rows_;
+  bias_ = Eigen::Map<const Eigen::VectorXd>(data->qfrc_bias, model->nv) -
+          Eigen::Map<const Eigen::VectorXd>(data->qfrc_passive, model->nv);
+  // The base's linear rows are Newton's law of the whole robot: m a_C - m g = sum of forces.
+  com_jacobian_ = mass_matrix_.topRows<3>() / mass_kg_;
+  com_bias_mps2_ = bias_.head<3>() / mass_kg_ + gravity_mps2_;
+  p_WC_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_com + 3 * base_body_);
+  v_WC_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_linvel + 3 * base_body_);
+  angular_momentum_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_angmom + 3 * base_body_);
+  UpdateFeet();
+}
+
+void RigidBody::UpdateFeet() {
+  const mjModel* model = model_.get();
+  mjData* data = data_.get();
+  // With qacc = 0 an object's acceleration is Jdot nu, minus gravity by MuJoCo's convention.
+  mju_zero(data->qacc, model->nv);
+  mj_rnePostConstraint(model, data);
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    FootKinematics& foot = feet_[i];
+    const int site = foot_site_[i];
+    foot.p_WF = Eigen::Map<const Eigen::Vector3d>(data->site_xpos + 3 * site);
+    foot.R_WF =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data->site_xmat + 9 * site);
+    mj_jacSite(model, data, foot.J.data(), nullptr, site);
+    foot.v_WF.noalias() = foot.J * velocity_;
+    mjtNum acceleration[6];  // [angular; linear]
+    mj_objectAcceleration(model, data, mjOBJ_SITE, site, acceleration, 0);
+    foot.bias_mps2 = Eigen::Map<const Eigen::Vector3d>(acceleration + 3) + gravity_mps2_;
+  }
+}
+
+void RigidBody::FillDerived(RobotState* state) const {
+  state->p_WC = p_WC_;
+  state->v_WC = v_WC_;
+  state->angular_momentum = angular_momentum_;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    state->feet[i].p_WF = feet_[i].p_WF;
+    state->feet[i].R_WF = feet_[i].R_WF;
+    state->feet[i].v_WF = feet_[i].v_WF;
+  }
+}
+
+}  // namespace sidestep

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// rigid_body: kinematics and dynamics of the nominal robot, on the controller's own mjModel.
+//
+// In : base pose and velocity, joints.     Out: M, bias, CoM, momentum, feet and their Jacobians.
+// The only place of controller/ where MuJoCo appears. Velocities nu are MuJoCo's:
+//   nu = [v_WB (base origin, in W); w_WB_B (in B); joints in the order of the model].
+// Equation of motion: M nudot + h = S^T tau + sum J_F^T f_F, h holding gravity and damping.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "controller/types/robot_state.h"
+#include "models/mjcf/mjcf.h"
+#include "models/robot_description/robot_description.h"
+
+namespace sidestep {
+
+/// Row-major like MuJoCo's Jacobians, so that they map without a copy.
+using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A foot's kinematics at the current state.
+struct FootKinematics {
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
+  Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
+  Jacobian3 J;                                         ///< 3 x nv, velocity of F in W.
+  Eigen::Vector3d bias_mps2{Eigen::Vector3d::Zero()};  ///< Jdot nu.
+};
+
+/// The nominal robot. Update() evaluates everything at one state; the rest reads it.
+class RigidBody {
+ public:
+  /// Compiles the robot's MJCF. Throws ConfigError if it lacks a name that robot.yaml promises.
+  explicit RigidBody(const RobotDescription& robot);
+
+  /// Evaluates at the base and joint state of `state`. Does not allocate.
+  void Update(const RobotState& state);
+
+  /// Writes p_WC, v_WC, angular_momentum and the feet's pose and velocity into `state`, which must
+  /// be the state given to Update(). Leaves in_contact alone.
+  void FillDerived(RobotState* state) const;
+
+  int num_velocities() const { return model_->nv; }
+  int num_actuators() const { return model_->nu; }
+  double mass_kg() const { return mass_kg_; }
+  const Eigen::Vector3d& gravity_mps2() const { return gravity_mps2_; }
+
+  const Eigen::MatrixXd& mass_matrix() const { return mass_matrix_; }  ///< nv x nv.
+  const Eigen::VectorXd& bias() const { return bias_; }                ///< h, nv.
+  const Eigen::VectorXd& velocity() const { return velocity_; }        ///< nu, nv.
+  const Jacobian3& com_jacobian() const { return com_jacobian_; }      ///< 3 x nv, in W.
+  const Eigen::Vector3d& com_bias_mps2() const { return com_bias_mps2_; }
+  const std::vector<FootKinematics>& feet() const { return feet_; }
+
+  /// Index in nu of each actuator's joint, in the order of the actuators.
+  const std::vector<int>& actuated_velocity() const { return actuated_velocity_; }
+  const Eigen::VectorXd& torque_limit_Nm() const { return torque_limit_Nm_; }
+
+  /// Pose of the IMU in the base.
+  const Eigen::Vector3d& p_BU() const { return p_BU_; }
+  const Eigen::Quaterniond& q_BU() const { return q_BU_; }
+
+  /// Locked inertia about the base's origin, in B: the base block of M (kg m^2).
+  Eigen::Matrix3d base_inertia() const { return mass_matrix_.block<3, 3>(3, 3); }
+
+ private:
+  void ResolveNames(const RobotDescription& robot);
+  void SetState(const RobotState& state);
+  void UpdateFeet();
+
+  MjModelPtr model_;
+  MjDataPtr data_;
+  double mass_kg_{0.0};
+  Eigen::Vector3d gravity_mps2_;
+  int base_body_{0};
+  std::vector<int> foot_site_;
+  std::vector<int> actuated_position_;  // index in qpos
+  std::vector<int> actuated_velocity_;
+  Eigen::VectorXd torque_limit_Nm_;
+  Eigen::Vector3d p_BU_;
+  Eigen::Quaterniond q_BU_;
+
+  Eigen::MatrixXd mass_matrix_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> mass_matrix_rows_;
+  Eigen::VectorXd bias_;
+  Eigen::VectorXd velocity_;
+  Jacobian3 com_jacobian_;
+  Eigen::Vector3d com_bias_mps2_;
+  Eigen::Vector3d p_WC_;
+  Eigen::Vector3d v_WC_;
+  Eigen::Vector3d angular_momentum_;
+  std::vector<FootKinematics> feet_;
+};
+
+}  // namespace sidestep

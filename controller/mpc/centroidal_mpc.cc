@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/mpc/centroidal_mpc.h"
+
+#include <algorithm>
+
+#include "controller/mpc/shifted_guess.h"
+#include "models/support/require.h"
+
+namespace sidestep::mpc {
+
+CentroidalMpc::CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s)
+    : tick_s_(tick_s),
+      step_ticks_(TickAt(params.step_s, tick_s)),
+      latency_ticks_(TickAt(params.latency_s, tick_s)),
+      builder_(params, robot, tick_s),
+      solver_(MakeSolver(params.backend, {params.tolerance, params.max_iterations})) {}
+
+void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
+                          const GridReferences& references, Tick tick) {
+  builder_.Build(state, plan, references, tick);
+  CentroidalOcp& ocp = builder_.ocp();
+  GivePreviousForce(&ocp, tick);
+  const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp, tick));
+  report_ = {true,
+             static_cast<int>(solution.status),
+             ToString(solution.status),
+             solution.iterations,
+             solution.cost,
+             solution.constraint_violation,
+             solution.kkt_error,
+             !IsUsable(solution.status)};
+  if (IsUsable(solution.status)) Keep(ocp, solution, tick);
+}
+
+bool CentroidalMpc::Activate(Tick tick) {
+  if (newest_ == nullptr || newest_ == active_) return false;
+  // The very first plan is taken at once: there is nothing to go on with until it comes of age.
+  if (active_ != nullptr && tick < newest_->tick + latency_ticks_) return false;
+  active_ = newest_;
+  return true;
+}
+
+int CentroidalMpc::KnotAt(const Plan& plan, Tick tick) const {
+  const Tick knot = (tick - plan.tick) / step_ticks_;
+  return static_cast<int>(std::min<Tick>(knot, plan.ocp.knots - 1));
+}
+
+ComTarget CentroidalMpc::ComAt(Tick tick) const {
+  const MpcSolution& solution = active_->solution;
+  const int k = KnotAt(*active_, tick);
+  const double within_s = SecondsAt(tick - active_->tick - k * step_ticks_, tick_s_);
+  const double mass_kg = active_->ocp.mass_kg;
+  ComTarget target;
+  target.a_WC = (solution.linear_momentum.col(k + 1) - solution.linear_momentum.col(k)) /
+                (mass_kg * active_->ocp.step_s);
+  const Eigen::Vector3d v_WC = solution.linear_momentum.col(k) / mass_kg;
+  target.v_WC = v_WC + within_s * target.a_WC;
+  target.p_WC = solution.p_WC.col(k) + within_s * v_WC + 0.5 * within_s * within_s * target.a_WC;
+  return target;
+}
+
+const Eigen::Matrix3Xd& CentroidalMpc::ForceAt(std::size_t foot, Tick tick) const {
+  const auto k = static_cast<std::size_t>(KnotAt(*active_, tick));
+  return active_->solution.contacts[foot].force_N[k];
+}
+
+double CentroidalMpc::Age_s(Tick tick) const {
+  return active_ == nullptr ? 0.0 : SecondsAt(tick - active_->tick, tick_s_);
+}
+
+const MpcSolution* CentroidalMpc::WarmStart(const CentroidalOcp& ocp, Tick tick) {
+  if (newest_ == nullptr) return nullptr;
+  const Tick elapsed = tick - newest_->tick;
+  const int shift = static_cast<int>((2 * elapsed + step_ticks_) / (2 * step_ticks_));
+  if (shift >= ocp.knots) return nullptr;  // nothing of the old horizon is left
+  ShiftedGuess(newest_->ocp, newest_->solution, shift, ocp, &guess_);
+  return &guess_;
+}
+
+// A foot that stands and stood when the plan in use was made has a force to change smoothly from.
+void CentroidalMpc::GivePreviousForce(CentroidalOcp* ocp, Tick tick) const {
+  if (active_ == nullptr) return;
+  const Tick before = std::max(tick - 1, active_->tick);
+  for (std::size_t foot = 0; foot < ocp->contacts.size(); ++foot) {
+    OcpContact& contact = ocp->contacts[foot];
+    const int k = KnotAt(*active_, before);
+    contact.has_previous_force =
+        ActivePhase(contact, 0) >= 0 && ActivePhase(active_->ocp.contacts[foot], k) >= 0;
+    if (contact.has_previous_force) contact.previous_force_N = ForceAt(foot, before);
+  }
+}
+
+CentroidalMpc::Plan* CentroidalMpc::FreeSlot() {
+  const auto slot = std::find_if(plans_.begin(), plans_.end(), [&](const Plan& plan) {
+    return &plan != active_ && &plan != newest_;
+  });
+  SIDESTEP_REQUIRE(slot != plans_.end(), "three slots, two taken");
+  return &*slot;
+}
+
+void CentroidalMpc::Keep(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick) {
+  Plan* plan = FreeSlot();
+  plan->tick = tick;
+  plan->ocp = ocp;
+  plan->solution = solution;
+  plan->footholds.clear();
+  for (std::size_t foot = 0; foot < ocp.contacts.size(); ++foot) {
+    const auto& phases = ocp.contacts[foot].phases;
+    for (std::size_t phase = 0; phase < phases.size(); ++phase) {
+      if (phases[phase].fixed) continue;
+      plan->footholds.push_back({static_cast<int>(foot), builder_.PlannedIndex(foot, phase),
+                                 solution.contacts[foot].phase_p_WF[phase]});
+    }
+  }
+  newest_ = plan;
+}
+
+}  // namespace sidestep::mpc

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// centroidal_mpc: the MPC as a stage of the control chain: builds, warm-starts, solves, keeps the
+// plan in use, and falls back to the previous plan when a solve fails.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/problem_builder.h"
+#include "controller/types/control_tick.h"
+
+namespace sidestep::mpc {
+
+/// A foothold the solution decided.
+struct Foothold {
+  int foot{0};
+  int index{0};  ///< PlannedContact::index.
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
+};
+
+class CentroidalMpc {
+ public:
+  CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s);
+
+  /// Solves at `tick` from the belief. A failed solve leaves the plan in use as it is: read later
+  /// in its own time, that is the shifted previous solution.
+  void Solve(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
+             Tick tick);
+
+  /// Makes the newest solution the plan in use once it is latency_s old. Call every tick; returns
+  /// true when the plan changed, and footholds() with it.
+  bool Activate(Tick tick);
+
+  /// True once there is a plan to read.
+  bool has_plan() const { return active_ != nullptr; }
+
+  /// Footholds of the plan in use that still lie ahead of their landing.
+  const std::vector<Foothold>& footholds() const { return active_->footholds; }
+
+  /// CoM motion that the plan implies at `tick`: constant acceleration within a knot.
+  ComTarget ComAt(Tick tick) const;
+
+  /// Forces of the plan's knot at `tick` on the vertices of `foot` (3 x n_v, N, in W).
+  const Eigen::Matrix3Xd& ForceAt(std::size_t foot, Tick tick) const;
+
+  /// Seconds since the measurement behind the plan in use.
+  double Age_s(Tick tick) const;
+
+  /// How the last solve went; `ran` holds until the next Activate().
+  const MpcReport& report() const { return report_; }
+
+  /// The last problem, for dumps.
+  const CentroidalOcp& problem() const { return builder_.ocp(); }
+
+ private:
+  /// A solution with the problem and the instant it belongs to.
+  struct Plan {
+    Tick tick{0};
+    CentroidalOcp ocp;
+    MpcSolution solution;
+    std::vector<Foothold> footholds;
+  };
+
+  int KnotAt(const Plan& plan, Tick tick) const;
+  const MpcSolution* WarmStart(const CentroidalOcp& ocp, Tick tick);
+  void GivePreviousForce(CentroidalOcp* ocp, Tick tick) const;
+  void Keep(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick);
+  Plan* FreeSlot();
+
+  double tick_s_;
+  Tick step_ticks_;
+  Tick latency_ticks_;
+  ProblemBuilder builder_;
+  std::unique_ptr<CentroidalSolver> solver_;
+  std::array<Plan, 3> plans_;  // in use, newest, and the one to write next
+  Plan* newest_{nullptr};      // last usable solution; waits for its latency unless in use
+  Plan* active_{nullptr};      // in use
+  MpcSolution guess_;
+  MpcReport report_;
+};
+
+}  // namespace sidestep::mpc

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/mpc/problem_builder.h"
+
+#include <algorithm>
+
+namespace sidestep::mpc {
+namespace {
+
+OcpWeights ToOcpWeights(const MpcWeights& weights) {
+  return {weights.com,
+          weights.angular_momentum,
+          weights.contact_position,
+          weights.force_symmetry,
+          weights.force_rate,
+          weights.new_contact_force};
+}
+
+// Knot nearest to a tick offset, which may be negative.
+int NearestKnot(Tick offset, Tick step_ticks) {
+  const Tick doubled = 2 * offset + step_ticks;
+  return static_cast<int>(doubled >= 0 ? doubled / (2 * step_ticks)
+                                       : -((-doubled + 2 * step_ticks - 1) / (2 * step_ticks)));
+}
+
+}  // namespace
+
+Eigen::MatrixX3d FrictionPyramid(double friction) {
+  Eigen::MatrixX3d A(4, 3);
+  A << 1, 1, -friction, -1, 1, -friction, -1, -1, -friction, 1, -1, -friction;
+  return A;
+}
+
+ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot, double tick_s)
+    : params_(params), step_ticks_(TickAt(params.step_s, tick_s)) {
+  const int knots = params.knots;
+  ocp_.step_s = params.step_s;
+  ocp_.knots = knots;
+  ocp_.mass_kg = robot.mass_kg;
+  ocp_.gravity_mps2 = robot.gravity_mps2;
+  ocp_.weights = ToOcpWeights(params.weights);
+  ocp_.friction_A = FrictionPyramid(params.friction);
+  ocp_.friction_b = Eigen::VectorXd::Zero(ocp_.friction_A.rows());
+  ocp_.external_force_N.setZero(3, knots);
+  ocp_.external_torque_Nm.setZero(3, knots);
+  ocp_.contacts.resize(robot.vertices_m.size());
+  planned_.resize(robot.vertices_m.size());
+  for (std::size_t foot = 0; foot < robot.vertices_m.size(); ++foot) {
+    OcpContact& contact = ocp_.contacts[foot];
+    contact.name = robot.foot_names[foot];
+    contact.vertices_m = robot.vertices_m[foot];
+    contact.previous_force_N.setZero(3, contact.vertices_m.cols());
+    contact.phases.reserve(static_cast<std::size_t>(knots) + 1);
+    planned_[foot].reserve(static_cast<std::size_t>(knots) + 1);
+  }
+}
+
+const CentroidalOcp& ProblemBuilder::Build(const RobotState& state, const ContactPlan& plan,
+                                           const GridReferences& references, Tick tick) {
+  ocp_.initial_p_WC = state.p_WC;
+  ocp_.initial_linear_momentum = ocp_.mass_kg * state.v_WC;
+  ocp_.initial_angular_momentum = state.angular_momentum;
+  ocp_.reference_p_WC = references.p_WC;
+  ocp_.reference_angular_momentum = references.angular_momentum;
+  FillExternalWrench(state.external_wrench);
+  for (std::size_t foot = 0; foot < plan.feet.size(); ++foot) {
+    ocp_.contacts[foot].has_previous_force = false;
+    FillPhases(foot, plan.feet[foot], tick);
+  }
+  return ocp_;
+}
+
+void ProblemBuilder::FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned,
+                                Tick tick) {
+  auto& phases = ocp_.contacts[foot].phases;
+  phases.clear();
+  planned_[foot].clear();
+  for (const PlannedContact& contact : planned) {
+    const bool begun = contact.start_tick <= tick;
+    const Tick last_tick = tick + (params_.knots + 1) * step_ticks_;
+    ContactPhase phase;
+    phase.first_knot = std::max(0, NearestKnot(contact.start_tick - tick, step_ticks_));
+    phase.end_knot = NearestKnot(std::min(contact.end_tick, last_tick) - tick, step_ticks_);
+    if (phase.end_knot <= phase.first_knot || phase.first_knot > params_.knots) continue;
+    phase.fixed = begun;
+    phase.R_WF = contact.R_WF;
+    phase.p_WF = contact.adjusted_p_WF;
+    phase.nominal_p_WF = contact.nominal_p_WF;
+    phase.box_lower_m = params_.box_lower_m;
+    phase.box_upper_m = params_.box_upper_m;
+    phases.push_back(phase);
+    planned_[foot].push_back(contact.index);
+  }
+}
+
+// A measured wrench is taken to last for external_wrench_hold_s; the last knot gets its share.
+void ProblemBuilder::FillExternalWrench(const Wrench& wrench) {
+  for (int k = 0; k < params_.knots; ++k) {
+    const double remaining_s = params_.external_wrench_hold_s - k * params_.step_s;
+    const double share = std::clamp(remaining_s / params_.step_s, 0.0, 1.0);
+    ocp_.external_force_N.col(k) = share * wrench.force_N;
+    ocp_.external_torque_Nm.col(k) = share * wrench.torque_Nm;
+  }
+}
+
+}  // namespace sidestep::mpc

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// gait_planner: the contacts and the CoM reference that the MPC sees at one instant.
+//
+// Holds the nominal gait, remembers where feet really landed, and shifts what is still to come
+// (FollowMode::kFootholds) so that a robot that was pushed off its path steps on from where it
+// is and drifts back at no more than path_return_m a step.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/planner/nominal_gait.h"
+#include "controller/types/contact_plan.h"
+#include "controller/types/robot_state.h"
+
+namespace sidestep {
+
+class GaitPlanner {
+ public:
+  /// `horizon` is how far contacts are planned ahead; `tick_s` one tick.
+  GaitPlanner(NominalGait gait, const PlannerParams& params, Tick horizon, double tick_s);
+
+  /// Contacts that end after `tick` and begin before tick + horizon, for every foot; at
+  /// least one a foot. Call with non-decreasing ticks. A contact that has begun is reported where
+  /// the belief sees its foot.
+  const ContactPlan& Update(const RobotState& state, Tick tick);
+
+  /// Records the MPC's decision for contact `index` of `foot`, until the next one.
+  void SetAdjusted(int foot, int index, const Eigen::Vector3d& p_WF);
+
+  /// Nominal CoM motion at `tick`: quintic between the knots; shifted like the contacts.
+  ComReference ReferenceAt(Tick tick) const;
+
+  const ContactPlan& plan() const { return plan_; }
+
+ private:
+  Eigen::Vector3d Shift(int sequence) const;
+  void NoteLandings(Tick tick);
+  void NoteFoothold(const NominalContact& landed);
+  ComReference KnotState(std::size_t at) const;
+
+  NominalGait gait_;
+  PlannerParams params_;
+  Tick horizon_;
+  double tick_s_;
+  std::vector<std::size_t> first_;      // first contact of each foot that has not ended
+  std::vector<std::size_t> landed_;     // contacts of each foot known to have begun
+  std::vector<Eigen::Vector3d> shift_;  // by landing sequence, up to last_landing_
+  int last_landing_{0};
+  ContactPlan plan_;
+};
+
+}  // namespace sidestep

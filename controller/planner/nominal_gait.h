@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// nominal_gait: the whole nominal contact sequence of an episode, from its gait parameters.
+//
+// Contacts are numbered by a landing count `sequence` over all feet, so that a shift of the path
+// can be attached to the landing that caused it. The robot starts standing, feet side by side.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/types/contact_plan.h"
+#include "controller/types/gait_params.h"
+#include "controller/types/tick.h"
+
+namespace sidestep {
+
+/// A contact of the nominal gait and the landing it began with (0: stood there at the start).
+struct NominalContact {
+  PlannedContact contact;
+  int sequence{0};
+  bool decided{false};  ///< The MPC has placed it; until then it is where the gait wants it.
+  Eigen::Vector3d landing_shift{Eigen::Vector3d::Zero()};  ///< Of nominal_p_WF, once it landed.
+};
+
+/// The CoM reference passes through `p_WC` at `tick`; the ground track belongs to the contacts of
+/// landing `sequence`.
+struct ComKnot {
+  Tick tick{0};
+  Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
+  int sequence{0};
+  bool at_rest{false};  ///< Zero velocity here; elsewhere it is set by the neighbours.
+};
+
+struct NominalGait {
+  std::vector<std::vector<NominalContact>> feet;
+  std::vector<ComKnot> com;  ///< By increasing tick; at least two.
+};
+
+/// What the gait must know of the robot.
+struct GaitGeometry {
+  int num_feet{1};            ///< 1 or 2; foot 0 of two is the left one (+y).
+  double com_height_m{0.5};   ///< Above the ground.
+  double sole_height_m{0.0};  ///< Height of F in stance.
+};
+
+/// Lays contacts out until `end_tick` at least. `segments` are in
+/// order of start_s, the first at 0. Contacts that last to the end have a far end_tick.
+NominalGait BuildNominalGait(const std::vector<GaitParams>& segments, const GaitGeometry& geometry,
+                             Tick end_tick, double tick_s);
+
+}  // namespace sidestep

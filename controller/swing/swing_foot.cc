@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/swing/swing_foot.h"
+
+#include <algorithm>
+
+namespace sidestep {
+namespace {
+
+// Value after `elapsed_s` on the way from `from` to `to` in `remaining_s`.
+QuinticState Follow(const QuinticState& from, const QuinticState& to, double remaining_s,
+                    double elapsed_s) {
+  if (elapsed_s >= remaining_s) return to;
+  return Quintic(from, to, remaining_s).At(elapsed_s);
+}
+
+}  // namespace
+
+SwingFoot::SwingFoot(const SwingShape& shape, double tick_s) : shape_(shape), tick_s_(tick_s) {}
+
+void SwingFoot::LiftOff(const Eigen::Vector3d& p_WF, Tick tick) {
+  lift_off_tick_ = tick_ = tick;
+  lift_off_height_m_ = p_WF.z();
+  target_p_WF_ = p_WF;
+  x_ = {p_WF.x(), 0.0, 0.0};
+  y_ = {p_WF.y(), 0.0, 0.0};
+  z_ = {p_WF.z(), 0.0, 0.0};
+}
+
+void SwingFoot::Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Tick tick) {
+  const double remaining_s = SecondsAt(landing_tick - tick_, tick_s_);
+  const double elapsed_s = SecondsAt(tick - tick_, tick_s_);
+  if (remaining_s > shape_.freeze_s || lift_off_tick_ == tick_) target_p_WF_ = p_WF_target;
+  x_ = Follow(x_, {target_p_WF_.x(), 0.0, 0.0}, remaining_s, elapsed_s);
+  y_ = Follow(y_, {target_p_WF_.y(), 0.0, 0.0}, remaining_s, elapsed_s);
+  UpdateHeight(landing_tick, tick);
+  tick_ = tick;
+}
+
+void SwingFoot::UpdateHeight(Tick landing_tick, Tick tick) {
+  if (tick >= landing_tick) {
+    const double late_s = SecondsAt(tick - landing_tick, tick_s_);
+    z_ = {target_p_WF_.z() - shape_.landing_speed_mps * late_s, -shape_.landing_speed_mps, 0.0};
+    return;
+  }
+  const Tick apex_tick = lift_off_tick_ + (landing_tick - lift_off_tick_) / 2;
+  const double elapsed_s = SecondsAt(tick - tick_, tick_s_);
+  if (tick <= apex_tick) {
+    const double apex_m = std::max(lift_off_height_m_, target_p_WF_.z()) + shape_.height_m;
+    z_ = Follow(z_, {apex_m, 0.0, 0.0}, SecondsAt(apex_tick - tick_, tick_s_), elapsed_s);
+  } else {
+    z_ = Follow(z_, {target_p_WF_.z(), -shape_.landing_speed_mps, 0.0},
+                SecondsAt(landing_tick - tick_, tick_s_), elapsed_s);
+  }
+}
+
+Eigen::Vector3d SwingFoot::position() const { return {x_.position, y_.position, z_.position}; }
+Eigen::Vector3d SwingFoot::velocity() const { return {x_.velocity, y_.velocity, z_.velocity}; }
+Eigen::Vector3d SwingFoot::acceleration() const {
+  return {x_.acceleration, y_.acceleration, z_.acceleration};
+}
+
+}  // namespace sidestep

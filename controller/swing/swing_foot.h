@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// swing_foot: a foot's motion through the air, re-targeted while it flies.
+//
+// Every tick joins the reference as it is (position, velocity, acceleration) to the foothold wanted
+// now by a quintic; with an unchanged foothold that is the same curve, with a new one acceleration
+// stays continuous. Height goes over an apex at half the swing and arrives with a small downward
+// speed, so that a floor a little lower than believed is still found.
+
+#include <Eigen/Core>
+
+#include "controller/types/control_tick.h"
+#include "controller/types/quintic.h"
+#include "controller/types/tick.h"
+
+namespace sidestep {
+
+/// Shape of a swing.
+struct SwingShape {
+  double height_m{0.05};  ///< Apex above the straight line between the footholds.
+  double landing_speed_mps{0.05};
+  double freeze_s{0.03};  ///< The foothold no longer moves this long before landing.
+};
+
+class SwingFoot {
+ public:
+  SwingFoot(const SwingShape& shape, double tick_s);
+
+  /// Begins a swing at `tick` from where the foot is, at rest on the ground.
+  void LiftOff(const Eigen::Vector3d& p_WF, Tick tick);
+
+  /// Reference at `tick`, on the way to `p_WF_target` at landing_tick. Call every control tick.
+  /// After landing_tick the foot goes on down at the landing speed until the contact is felt.
+  void Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Tick tick);
+
+  void set_height(double height_m) { shape_.height_m = height_m; }
+  Eigen::Vector3d position() const;
+  Eigen::Vector3d velocity() const;
+  Eigen::Vector3d acceleration() const;
+
+ private:
+  void UpdateHeight(Tick landing_tick, Tick tick);
+
+  SwingShape shape_;
+  double tick_s_;
+  Tick lift_off_tick_{0};
+  Tick tick_{0};  // of the reference below
+  double lift_off_height_m_{0.0};
+  Eigen::Vector3d target_p_WF_{Eigen::Vector3d::Zero()};
+  QuinticState x_, y_, z_;
+};
+
+}  // namespace sidestep
