@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "models/support/config_error.h"
+#include "sim/apps/commands/commands.h"
+#include "sim/apps/commands/exit_code.h"
+#include "sim/apps/commands/out_folder.h"
+#include "sim/apps/commands/progress.h"
+#include "sim/check/find_scenarios.h"
+#include "sim/check/junit.h"
+#include "sim/check/outcome.h"
+#include "sim/check/run_checks.h"
+#include "sim/episode/interrupt.h"
+#include "sim/scenario/read_scenario.h"
+
+namespace sidestep {
+namespace {
+
+// The command's own place: each check replaces the last one's runs there.
+constexpr const char* kDefaultOutDir = "renders/check";
+
+struct CheckArguments {
+  std::vector<std::filesystem::path> paths;
+  std::filesystem::path junit;
+  std::filesystem::path out_dir{kDefaultOutDir};
+  bool has_out_dir{false};
+  bool is_forced{false};
+  bool has_video{false};
+  bool is_quiet{false};
+  int jobs{1};
+  std::vector<std::string> overrides;
+};
+
+// Reads every scenario before any runs. Prints what is wrong; false if anything is.
+bool PlanItems(const CheckArguments& arguments, std::vector<CheckItem>* items) {
+  bool is_good = true;
+  std::map<std::string, std::filesystem::path> file_of_name;
+  const bool may_replace = arguments.is_forced || !arguments.has_out_dir;
+  for (const auto& file : FindScenarios(arguments.paths)) {
+    try {
+      const std::string name = ReadScenario(file, arguments.overrides).name;
+      const auto [first, is_new] = file_of_name.emplace(name, file);
+      if (!is_new) {
+        throw ConfigError(file.string() + ": error: " + first->second.string() +
+                          " has the same name, '" + name + "'");
+      }
+      items->push_back({name, file, arguments.out_dir / name});
+      CheckOutFolder(items->back().run_dir, may_replace);
+    } catch (const ConfigError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      is_good = false;
+    }
+  }
+  return is_good;
+}
+
+CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) {
+  CheckPlan plan;
+  plan.items = std::move(items);
+  plan.program = ThisProgram();
+  plan.jobs = arguments.jobs;
+  plan.arguments = {"--jobs", "1"};
+  if (!arguments.has_video) plan.arguments.push_back("--no-video");
+  for (const std::string& override : arguments.overrides) {
+    plan.arguments.insert(plan.arguments.end(), {"--set", override});
+  }
+  return plan;
+}
+
+void WriteJunit(const CheckArguments& arguments, const std::vector<Outcome>& outcomes,
+                double wall_s) {
+  if (!arguments.junit.empty()) WriteTextFile(arguments.junit, JunitXml(outcomes, wall_s));
+}
+
+// What the report says if this process is killed: nothing passed.
+std::vector<Outcome> NotYetRun(const std::vector<CheckItem>& items) {
+  std::vector<Outcome> outcomes;
+  for (const CheckItem& item : items) {
+    Outcome& outcome = outcomes.emplace_back();
+    outcome.name = item.name;
+    outcome.file = item.file;
+    outcome.reasons = {"ERROR: the check ended before this run did"};
+  }
+  return outcomes;
+}
+
+int Check(const CheckArguments& arguments) {
+  std::vector<CheckItem> items;
+  if (!PlanItems(arguments, &items)) return kExitBadInput;
+  const CheckPlan plan = PlanOf(arguments, std::move(items));
+  WriteJunit(arguments, NotYetRun(plan.items), 0.0);  // fails now rather than after the runs
+
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Outcome> outcomes;
+  {
+    Progress progress("check", arguments.is_quiet);
+    const auto total = static_cast<double>(plan.items.size());
+    outcomes = RunChecks(plan, InterruptRequested, [&](const Outcome& outcome, std::size_t done) {
+      const std::string count = std::to_string(done) + "/" + std::to_string(plan.items.size());
+      progress.Say("[" + count + "] " + ToString(outcome.run_class) + " " + outcome.name);
+      progress.Update(static_cast<double>(done) / total, count + " done");
+    });
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  std::printf("%s", OutcomeTable(outcomes, wall.count()).c_str());
+  WriteJunit(arguments, outcomes, wall.count());
+  return ExitCodeOf(outcomes);
+}
+
+}  // namespace
+
+void AddCheckCommand(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("check", "Run scenarios, several at once, and tell which pass");
+  const auto arguments = std::make_shared<CheckArguments>();
+  arguments->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  command->add_option("PATH", arguments->paths, "Scenario files; folders are searched for *.yaml")
+      ->required();
+  command->add_option("-j,--jobs", arguments->jobs, "Runs at once")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--junit", arguments->junit, "Write a JUnit report for CI")
+      ->type_name("FILE");
+  CLI::Option* out =
+      command->add_option("-o,--out", arguments->out_dir, "Folder that gets a folder a run")
+          ->type_name("DIR")
+          ->capture_default_str();
+  command->add_flag("--force", arguments->is_forced, "Replace runs that lie in the --out folder");
+  command->add_flag("--video", arguments->has_video, "Also draw the videos");
+  command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
+  AddSetOption(*command, arguments->overrides);
+  command->callback([arguments, out, &exit_code] {
+    arguments->has_out_dir = out->count() > 0;
+    exit_code = Check(*arguments);
+  });
+}
+
+}  // namespace sidestep

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// commands: the subcommands of `sidestep`, one source file each.
+//
+// Add...Command() adds a subcommand to the app. When the command line asks for it, it runs while
+// the app parses, and leaves the program's exit code in `exit_code`, which must outlive the app.
+// A user's mistake leaves as ConfigError, our own as ContractViolation; main catches both.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sidestep {
+
+/// `run SCENARIO`: simulates, then draws the plots and the video and writes the report.
+void AddRunCommand(CLI::App& app, int& exit_code);
+
+/// `check PATH...`: runs many scenarios, prints a table, writes JUnit.
+void AddCheckCommand(CLI::App& app, int& exit_code);
+
+/// `validate PATH...`: reads scenarios and says what is wrong with them.
+void AddValidateCommand(CLI::App& app, int& exit_code);
+
+/// `render RUN_DIR`, `plot RUN_DIR`, `report RUN_DIR...`: what `run` draws, again.
+void AddRenderCommand(CLI::App& app, int& exit_code);
+void AddPlotCommand(CLI::App& app, int& exit_code);
+void AddReportCommand(CLI::App& app, int& exit_code);
+
+/// `robots [ROBOT]`: lists the robots that ship, or tells of one.
+void AddRobotsCommand(CLI::App& app, int& exit_code);
+
+/// `solve PROBLEM.json`: solves one MPC problem.
+void AddSolveCommand(CLI::App& app, int& exit_code);
+
+/// Adds `--set a.b=c`, repeatable; each takes one value, so a path may follow.
+void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
+
+/// The words of this process's command line, for summary.json.
+std::vector<std::string> CommandWords();
+
+/// Path of the program that runs, for starting it again.
+std::filesystem::path ThisProgram();
+
+}  // namespace sidestep

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What several commands share.
+
+#include <fstream>
+#include <string>
+
+#include "sim/apps/commands/commands.h"
+
+namespace sidestep {
+
+void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
+  command
+      .add_option("--set", overrides,
+                  "Override a key of the scenario: world.friction=0.4, pushes.0.start_s=2")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+std::vector<std::string> CommandWords() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(in, word, '\0');) words.push_back(word);
+  return words;
+}
+
+std::filesystem::path ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe"); }
+
+}  // namespace sidestep

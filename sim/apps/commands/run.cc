@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "sim/apps/commands/commands.h"
+#include "sim/apps/commands/exit_code.h"
+#include "sim/apps/commands/out_folder.h"
+#include "sim/apps/commands/progress.h"
+#include "sim/episode/interrupt.h"
+#include "sim/episode/run_scenario.h"
+#include "sim/plot/plot_run.h"
+#include "sim/render/render_run.h"
+#include "sim/report/write_report.h"
+#include "sim/scenario/read_scenario.h"
+
+namespace sidestep {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  fs::path scenario;
+  fs::path out_dir;  ///< Empty: renders/<name>.
+  bool is_forced{false};
+  bool is_quiet{false};
+  bool no_video{false};
+  bool no_plots{false};
+  int jobs{1};
+  std::vector<std::string> overrides;
+};
+
+RunResult Simulate(const Scenario& scenario, const fs::path& out_dir, bool is_quiet) {
+  Progress progress(scenario.name, is_quiet);
+  RunOptions options;
+  options.out_dir = out_dir;
+  options.command = CommandWords();
+  options.quiet = is_quiet;
+  options.progress = [&](double sim_time_s, double duration_s) {
+    char detail[64];
+    std::snprintf(detail, sizeof detail, "%.1f of %.1f s simulated", sim_time_s, duration_s);
+    progress.Update(sim_time_s / duration_s, detail);
+  };
+  return RunScenario(scenario, options);
+}
+
+// Plots, video, report; each only reads what the run left.
+void Draw(const Scenario& scenario, const fs::path& run_dir, const RunArguments& arguments) {
+  if (!arguments.no_plots) PlotRun(run_dir);
+  if (!arguments.no_video && scenario.video.enabled) {
+    Progress progress("video", arguments.is_quiet);
+    RenderOptions options = RenderOptionsOf(run_dir);
+    options.jobs = arguments.jobs;
+    options.on_progress = [&](double share) { progress.Update(share, ""); };
+    RenderRun(run_dir, options);
+  }
+  WriteReport({run_dir}, run_dir / "report.html");
+}
+
+void PrintVerdict(const std::string& name, const RunResult& result) {
+  const std::string verdict(EnumName(result.verdict.verdict_class));
+  std::printf("%s: %s\n", name.c_str(), verdict.c_str());
+  for (const Reason& reason : result.verdict.reasons) {
+    std::printf("  %s", reason.kind.c_str());
+    if (reason.time_s) std::printf(" at %.3f s", *reason.time_s);
+    std::printf(": %s\n", reason.text.c_str());
+  }
+  for (const auto& [label, file] : {std::pair<const char*, const char*>{"video", "video.mp4"},
+                                    {"plots", "plots"},
+                                    {"report", "report.html"},
+                                    {"folder", "."}}) {
+    const fs::path path = (result.out_dir / file).lexically_normal();
+    if (fs::exists(path)) std::printf("  %-6s  %s\n", label, path.c_str());
+  }
+  std::fflush(stdout);
+}
+
+int ExitCodeOf(VerdictClass verdict_class) {
+  switch (verdict_class) {
+    case VerdictClass::kPass:
+      return kExitPass;
+    case VerdictClass::kFail:
+      return kExitFail;
+    case VerdictClass::kInvalid:
+      break;
+  }
+  return kExitInvalid;
+}
+
+int Run(const RunArguments& arguments) {
+  const Scenario scenario = ReadScenario(arguments.scenario, arguments.overrides);
+  const fs::path out_dir =
+      arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir;
+  PrepareOutFolder(out_dir, arguments.is_forced);
+  const RunResult result = Simulate(scenario, out_dir, arguments.is_quiet);
+  if (!InterruptRequested()) Draw(scenario, out_dir, arguments);
+  PrintVerdict(scenario.name, result);
+  return ExitCodeOf(result.verdict.verdict_class);
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("run", "Simulate a scenario, judge it and draw it");
+  const auto arguments = std::make_shared<RunArguments>();
+  arguments->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  command->add_option("SCENARIO", arguments->scenario, "Scenario file")->required();
+  command->add_option("-o,--out", arguments->out_dir, "Run folder [renders/<name>]")
+      ->type_name("DIR");
+  command->add_flag("--force", arguments->is_forced, "Replace the run that lies in the folder");
+  command->add_flag("--no-video", arguments->no_video, "Draw no video");
+  command->add_flag("--no-plots", arguments->no_plots, "Draw no plots");
+  command->add_option("-j,--jobs", arguments->jobs, "Processes that draw the video")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
+  AddSetOption(*command, arguments->overrides);
+  command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
+}
+
+}  // namespace sidestep
