@@ -37,7 +37,8 @@ double ConeViolation_N(const FootTarget& foot, double friction) {
 }
 
 FootstepLog::FootstepLog(const std::vector<FootDescription>& feet) {
-  for (const FootDescription& foot : feet) feet_.push_back({.sole_height_m = foot.sole_height_m});
+  feet_.resize(feet.size());
+  for (std::size_t i = 0; i < feet.size(); ++i) feet_[i].sole_height_m = feet[i].sole_height_m;
 }
 
 void FootstepLog::AddPlan(Tick tick, const ControlTick& control) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// footsteps_csv: the text of footsteps.csv.
+
+#include <string>
+#include <vector>
+
+#include "sim/verdict/verdict.h"
+
+namespace sidestep {
+
+/// One row a contact, with a header. @param feet  Names. @param tick_s  Length of a tick (s).
+std::string FootstepsCsv(const std::vector<FootstepRecord>& footsteps,
+                         const std::vector<std::string>& feet, double tick_s);
+
+}  // namespace sidestep

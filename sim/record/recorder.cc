@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/record/recorder.h"
+
+#include <system_error>
+#include <utility>
+
+#include "models/mjcf/mjcf.h"
+#include "models/support/config_error.h"
+#include "sim/record/footsteps_csv.h"
+#include "sim/record/output_file.h"
+#include "sim/record/states_row.h"
+#include "sim/record/summary.h"
+#include "sim/record/trajectory_table.h"
+#include "sim/scenario/write_scenario.h"
+#include "sim/world/world_model.h"
+
+namespace sidestep {
+namespace {
+
+constexpr char kMpcHeader[] =
+    "time_s,status,iterations,cost,constraint_violation,kkt_error,wall_ms\n";
+
+std::vector<std::string> FootNames(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const FootDescription& foot : scenario.description_of_robot.feet) {
+    names.push_back(foot.name);
+  }
+  return names;
+}
+
+// Which joints slide decides the units of their columns; only the model knows.
+std::vector<JointColumn> JointColumns(const Scenario& scenario, const World& world) {
+  std::vector<JointColumn> columns;
+  if (world.joint_names().empty()) return columns;
+  const MjModelPtr model = CompileWorld(scenario);
+  for (const std::string& name : world.joint_names()) {
+    const int joint = RequireId(*model, mjOBJ_JOINT, name);
+    columns.push_back({name, model->jnt_type[joint] == mjJNT_SLIDE});
+  }
+  return columns;
+}
+
+// Makes the folder and clears what would belie a run that ends early.
+std::filesystem::path PrepareFolder(const std::filesystem::path& run_dir) {
+  std::error_code error;
+  std::filesystem::create_directories(run_dir, error);
+  if (error) throw ConfigError(run_dir.string() + ": error: can't be created");
+  for (const char* stale : {"summary.json", "footsteps.csv"}) {
+    std::filesystem::remove(run_dir / stale, error);
+  }
+  return run_dir;
+}
+
+void AppendMpcRow(double time_s, const MpcReport& mpc, double wall_ms, std::string& text) {
+  AppendNumber(text, time_s);
+  text.append(",").append(mpc.status_name).append(",").append(std::to_string(mpc.iterations));
+  for (const double value : {mpc.cost, mpc.constraint_violation, mpc.kkt_error, wall_ms}) {
+    text.push_back(',');
+    AppendNumber(text, value);
+  }
+  text.push_back('\n');
+}
+
+}  // namespace
+
+struct Recorder::State {
+  State(const Scenario& scenario_of_run, const World& world, const std::filesystem::path& folder,
+        std::vector<std::string> command)
+      : scenario(scenario_of_run),
+        run_dir(PrepareFolder(folder)),
+        feet(FootNames(scenario)),
+        table(feet, JointColumns(scenario, world)),
+        trajectory(run_dir / "trajectory.csv"),
+        states(run_dir / "states.bin"),
+        mpc(run_dir / "mpc.csv") {
+    facts.command = std::move(command);
+    WriteWholeFile(run_dir / "scenario.yaml", ResolvedYaml(scenario));
+    const double tick_s = scenario.world.step_s;
+    const double dt_s = SecondsAt(TickAt(1.0 / scenario.control.rate_hz, tick_s), tick_s);
+    trajectory.Append(table.Header());
+    states.Append(StatesHeader(feet, static_cast<int>(world.truth().qpos.size()), dt_s));
+    mpc.Append(kMpcHeader);
+  }
+
+  Scenario scenario;
+  std::filesystem::path run_dir;
+  std::vector<std::string> feet;
+  TrajectoryTable table;
+  OutputFile trajectory;
+  OutputFile states;
+  OutputFile mpc;
+  RunFacts facts;
+  std::string row;  // kept for its memory
+};
+
+Recorder::Recorder(const Scenario& scenario, const World& world,
+                   const std::filesystem::path& run_dir, std::vector<std::string> command)
+    : state_(std::make_unique<State>(scenario, world, run_dir, std::move(command))) {}
+
+Recorder::~Recorder() = default;
+
+void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& control,
+                   double wall_control_ms, double wall_mpc_ms) {
+  State& state = *state_;
+  const double time_s = SecondsAt(tick, state.scenario.world.step_s);
+  state.row.clear();
+  state.table.AppendRow({time_s, truth, control, wall_control_ms, wall_mpc_ms}, state.row);
+  state.trajectory.Append(state.row);
+
+  state.row.clear();
+  AppendStatesRow(time_s, truth, control, state.row);
+  state.states.Append(state.row);
+
+  if (!control.mpc.ran) return;
+  state.row.clear();
+  AppendMpcRow(time_s, control.mpc, wall_mpc_ms, state.row);
+  state.mpc.Append(state.row);
+  state.facts.solve_ms.push_back(wall_mpc_ms);
+}
+
+void Recorder::Finish(const RunOutcome& outcome, double simulated_s, double wall_s) {
+  State& state = *state_;
+  state.trajectory.Close();
+  state.states.Close();
+  state.mpc.Close();
+  WriteWholeFile(state.run_dir / "footsteps.csv",
+                 FootstepsCsv(outcome.footsteps, state.feet, state.scenario.world.step_s));
+  state.facts.simulated_s = simulated_s;
+  state.facts.wall_s = wall_s;
+  WriteWholeFile(state.run_dir / "summary.json", SummaryJson(state.scenario, outcome, state.facts));
+}
+
+}  // namespace sidestep

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/record/trajectory_table.h"
+
+#include <limits>
+#include <utility>
+
+#include "models/support/require.h"
+#include "sim/record/output_file.h"
+#include "sim/verdict/fall_meter.h"
+
+namespace sidestep {
+
+/// A line under way: of names (the header) or of values.
+class TrajectoryTable::Line {
+ public:
+  Line(std::string& text, bool is_header) : text_(text), is_header_(is_header) {}
+
+  void Number(std::string_view stem, std::string_view name, std::string_view unit, double value,
+              bool is_known = true) {
+    Separate();
+    if (is_header_) {
+      text_.append(stem).append(name).append(unit);
+    } else if (is_known) {
+      AppendNumber(text_, value);
+    }
+  }
+
+  void Vector(std::string_view stem, std::string_view name, std::string_view unit,
+              const Eigen::Vector3d& value, bool is_known = true) {
+    constexpr std::array<std::string_view, 3> kAxes{"_x", "_y", "_z"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!is_header_) {
+        Number({}, {}, {}, value[static_cast<Eigen::Index>(axis)], is_known);
+        continue;
+      }
+      Separate();
+      text_.append(stem).append(name).append(kAxes[axis]).append(unit);
+    }
+  }
+
+  void Flag(std::string_view stem, std::string_view name, bool value, bool is_known = true) {
+    Number(stem, name, {}, value ? 1.0 : 0.0, is_known);
+  }
+
+  void End() { text_.push_back('\n'); }
+
+ private:
+  void Separate() {
+    if (has_cell_) text_.push_back(',');
+    has_cell_ = true;
+  }
+
+  std::string& text_;
+  bool is_header_;
+  bool has_cell_{false};
+};
+
+namespace {
+
+double Entry(const Eigen::VectorXd& vector, std::size_t at) {
+  const auto index = static_cast<Eigen::Index>(at);
+  return index < vector.size() ? vector[index] : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+TrajectoryTable::TrajectoryTable(std::vector<std::string> feet, std::vector<JointColumn> joints)
+    : feet_(std::move(feet)), joints_(std::move(joints)) {}
+
+std::string TrajectoryTable::Header() const {
+  WorldTruth truth;
+  truth.feet.resize(feet_.size());
+  truth.joint_position.setZero(static_cast<Eigen::Index>(joints_.size()));
+  const ControlTick control;
+  std::string text;
+  Line line(text, true);
+  Walk({0.0, truth, control, 0.0, 0.0}, line);
+  return text;
+}
+
+void TrajectoryTable::AppendRow(const TrajectoryRow& row, std::string& text) const {
+  SIDESTEP_REQUIRE(row.truth.feet.size() == feet_.size(), row.truth.feet.size());
+  SIDESTEP_REQUIRE(row.truth.joint_position.size() == static_cast<Eigen::Index>(joints_.size()),
+                   row.truth.joint_position.size());
+  Line line(text, false);
+  Walk(row, line);
+}
+
+void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
+  line.Number("time_s", {}, {}, row.time_s);
+  WalkTruth(row.truth, line);
+  WalkBelief(row.control, line);
+  WalkPlan(row.control, line);
+  const Eigen::VectorXd& torque = row.control.command.torque_Nm;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const bool is_known = static_cast<Eigen::Index>(i) < torque.size();
+    line.Number("command_", joints_[i].name, joints_[i].is_slide ? "_N" : "_Nm", Entry(torque, i),
+                is_known);
+    line.Number("joint_", joints_[i].name, joints_[i].is_slide ? "_m" : "_rad",
+                Entry(row.truth.joint_position, i));
+  }
+  line.Number("wbc_status", {}, {}, row.control.wbc.status);
+  line.Number("mpc_age_s", {}, {}, row.control.mpc_age_s);
+  line.Number("wall_control_ms", {}, {}, row.wall_control_ms);
+  line.Number("wall_mpc_ms", {}, {}, row.wall_mpc_ms);
+  line.End();
+}
+
+void TrajectoryTable::WalkTruth(const WorldTruth& truth, Line& line) const {
+  line.Vector("truth_p_WC", {}, "_m", truth.p_WC);
+  line.Vector("truth_v_WC", {}, "_mps", truth.v_WC);
+  line.Vector("truth_h_C_W", {}, "_kgm2ps", truth.angular_momentum);
+  line.Vector("truth_p_WB", {}, "_m", truth.p_WB);
+  line.Number("truth_q_WB_w", {}, {}, truth.q_WB.w());
+  line.Number("truth_q_WB_x", {}, {}, truth.q_WB.x());
+  line.Number("truth_q_WB_y", {}, {}, truth.q_WB.y());
+  line.Number("truth_q_WB_z", {}, {}, truth.q_WB.z());
+  line.Number("truth_tilt_rad", {}, {}, TiltRad(truth.q_WB));
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    line.Vector("truth_p_WF_", feet_[i], "_m", truth.feet[i].p_WF);
+    line.Vector("truth_f_F_W_", feet_[i], "_N", truth.feet[i].f_F_W);
+    line.Flag("truth_contact_", feet_[i], truth.feet[i].in_contact);
+  }
+  Eigen::Vector3d push_force_W_N = Eigen::Vector3d::Zero();
+  for (const PushTruth& push : truth.pushes) push_force_W_N += push.force_W_N;
+  line.Vector("push_force_W", {}, "_N", push_force_W_N);
+}
+
+void TrajectoryTable::WalkBelief(const ControlTick& control, Line& line) const {
+  const RobotState& state = control.state;
+  line.Vector("belief_p_WC", {}, "_m", state.p_WC);
+  line.Vector("belief_v_WC", {}, "_mps", state.v_WC);
+  line.Vector("belief_h_C_W", {}, "_kgm2ps", state.angular_momentum);
+  line.Vector("belief_p_WB", {}, "_m", state.p_WB);
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const bool is_known = i < state.feet.size();
+    const FootState foot = is_known ? state.feet[i] : FootState{};
+    line.Vector("belief_p_WF_", feet_[i], "_m", foot.p_WF, is_known);
+    line.Flag("belief_contact_", feet_[i], foot.in_contact, is_known);
+  }
+}
+
+void TrajectoryTable::WalkPlan(const ControlTick& control, Line& line) const {
+  const FootTarget no_target;
+  line.Vector("reference_p_WC", {}, "_m", control.reference.p_WC);
+  line.Vector("reference_v_WC", {}, "_mps", control.reference.v_WC);
+  line.Vector("mpc_p_WC", {}, "_m", control.com.p_WC);
+  line.Vector("mpc_v_WC", {}, "_mps", control.com.v_WC);
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const bool is_known = i < control.feet.size();
+    const FootTarget& foot = is_known ? control.feet[i] : no_target;
+    line.Flag("planned_contact_", feet_[i], foot.planned_contact, is_known);
+    line.Vector("mpc_f_F_W_", feet_[i], "_N", foot.force_N, is_known);
+    line.Vector("nominal_p_WF_", feet_[i], "_m", foot.contact.nominal_p_WF, is_known);
+    line.Vector("adjusted_p_WF_", feet_[i], "_m", foot.contact.adjusted_p_WF, is_known);
+    line.Vector("swing_p_WF_", feet_[i], "_m", foot.p_WF, is_known);
+  }
+}
+
+}  // namespace sidestep

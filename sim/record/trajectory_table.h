@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// trajectory_table: the columns of trajectory.csv.
+//
+// One walk over the columns writes both the header and the rows, so that they can't disagree.
+// What a controller does not say (it has no plan, no joints) is an empty cell.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/types/control_tick.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+/// An actuated joint as columns name it.
+struct JointColumn {
+  std::string name;
+  bool is_slide{false};  ///< In N and m, not N m and rad.
+};
+
+/// What one row shows.
+struct TrajectoryRow {
+  double time_s;
+  const WorldTruth& truth;
+  const ControlTick& control;
+  double wall_control_ms;
+  double wall_mpc_ms;
+};
+
+class TrajectoryTable {
+ public:
+  TrajectoryTable(std::vector<std::string> feet, std::vector<JointColumn> joints);
+
+  /// The first line, with its end.
+  std::string Header() const;
+
+  /// Appends the row's line to `text`. Preconditions: truth has this table's feet and joints.
+  void AppendRow(const TrajectoryRow& row, std::string& text) const;
+
+ private:
+  class Line;
+  void Walk(const TrajectoryRow& row, Line& line) const;
+  void WalkTruth(const WorldTruth& truth, Line& line) const;
+  void WalkBelief(const ControlTick& control, Line& line) const;
+  void WalkPlan(const ControlTick& control, Line& line) const;
+
+  std::vector<std::string> feet_;
+  std::vector<JointColumn> joints_;
+};
+
+}  // namespace sidestep
