@@ -10,8 +10,8 @@
 
 namespace sidestep {
 
-/// One foot. Its frame F is a site of the MJCF (or a point of the centroidal plant).
-/// The MJCF has a touch sensor called `<name>_touch`.
+/// One foot. Its frame F is a site of the MJCF (or a point of the centroidal plant); the site's body
+/// is the foot, and all that may touch the ground. The MJCF has a touch sensor called `<name>_touch`.
 struct FootDescription {
   std::string name;
   std::string frame;            ///< Site F.

@@ -149,6 +149,7 @@ void CentroidalWorld::Step(Tick tick) {
   state_ = Advance(state_, LoadNow(), mass_kg_, tick_s_);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     truth_.feet[i].f_F_W = vertex_force_N_[i].rowwise().sum();
+    truth_.feet[i].touch_N = std::max(0.0, truth_.feet[i].f_F_W.z());
   }
   if (!state_.p_WC.allFinite() || !state_.v_WC.allFinite() ||
       !state_.angular_momentum.allFinite()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "controller/types/actuator_command.h"
+#include "controller/types/sensor_frame.h"
 #include "controller/types/tick.h"
 #include "sim/scenario/scenario.h"
 
@@ -19,6 +20,7 @@ struct FootTruth {
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
   Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
   Eigen::Vector3d f_F_W{Eigen::Vector3d::Zero()};  ///< Ground on robot (N).
+  double touch_N{0.0};  ///< Normal force as a perfect touch sensor reads it.
   bool in_contact{false};
 };
 
@@ -40,6 +42,7 @@ struct WorldTruth {
   Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
   Eigen::Vector3d v_WC{Eigen::Vector3d::Zero()};
   Eigen::Vector3d angular_momentum{Eigen::Vector3d::Zero()};  ///< h_C_W.
+  ImuSample imu;  ///< As a perfect unit reads; the acceleration of the step that led here.
   std::vector<FootTruth> feet;
   std::vector<PushTruth> pushes;    ///< One a scripted push; zero force while it does not act.
   bool body_touches_ground{false};  ///< Anything but a foot.

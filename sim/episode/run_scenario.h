@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// run_scenario: a scenario from its data to a verdict and a folder of evidence (but the pictures,
+// which are drawn from the folder).
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/episode/run_episode.h"
+#include "sim/scenario/scenario.h"
+#include "sim/verdict/verdict.h"
+
+namespace sidestep {
+
+struct RunOptions {
+  std::filesystem::path out_dir;     ///< Created if need be; see Recorder for what it holds.
+  std::vector<std::string> command;  ///< The program's arguments, for summary.json.
+  bool quiet{false};
+  EpisodeProgress progress;  ///< May be empty.
+};
+
+struct RunResult {
+  Verdict verdict;
+  std::filesystem::path out_dir;
+};
+
+/// Runs and judges. Throws ConfigError if a file can't be written or the robot does not compile.
+RunResult RunScenario(const Scenario& scenario, const RunOptions& options);
+
+}  // namespace sidestep
