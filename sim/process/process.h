@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// process: starts a program (ffmpeg, gnuplot) with an argument vector, feeds it and waits for it.
+//
+// Never through a shell, so no quoting and no injection by a folder's name. What the program
+// prints goes to memory files, not pipes: it can never block on us while we block on it.
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sidestep {
+
+/// How a program ended.
+struct ProcessResult {
+  int exit_code{0};  ///< Its exit status; 128 + signal number if a signal ended it.
+  std::string out;   ///< What it wrote to standard output.
+  std::string err;   ///< What it wrote to standard error.
+};
+
+/// A running program. Its standard input is ours to write; it inherits no other descriptor.
+class Process {
+ public:
+  /// Starts argv[0], looked up in PATH, in `working_dir` (ours if empty).
+  /// @throws ConfigError if the program can't be found or started.
+  explicit Process(const std::vector<std::string>& argv,
+                   const std::filesystem::path& working_dir = {});
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Kills the program and waits for it, unless Finish() was called.
+  ~Process();
+
+  /// Writes all of `size` bytes to the program's input. Returns false if the program has closed
+  /// it (it failed: Finish() tells why). Never raises SIGPIPE.
+  bool Write(const void* data, std::size_t size);
+
+  /// Closes the program's input and waits for its end. Call once.
+  ProcessResult Finish();
+
+ private:
+  std::string program_;
+  pid_t pid_{-1};
+  int input_{-1};
+  int output_{-1};
+  int error_{-1};
+};
+
+/// Runs a program to its end with `input` on its standard input.
+/// @throws ConfigError if it can't be started. A failing program is no exception: see exit_code.
+ProcessResult RunProcess(const std::vector<std::string>& argv, std::string_view input = {},
+                         const std::filesystem::path& working_dir = {});
+
+/// As RunProcess, but a non-zero exit is a ConfigError that quotes the program's last words.
+ProcessResult RunOrThrow(const std::vector<std::string>& argv, std::string_view input = {},
+                         const std::filesystem::path& working_dir = {});
+
+/// The text of a failure, for error messages: program, exit code and the end of its stderr.
+std::string DescribeFailure(const std::string& program, const ProcessResult& result);
+
+}  // namespace sidestep

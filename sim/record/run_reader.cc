@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/record/run_reader.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "models/support/config_error.h"
+
+namespace sidestep {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "states.bin is little-endian");
+
+constexpr std::string_view kStatesMagic = "sidestep-states 1";
+constexpr int kFootDoubles = 12;  ///< Force, point, nominal and adjusted contact.
+constexpr int kPushDoubles = 6;   ///< Force and point.
+
+[[noreturn]] void Fail(const std::filesystem::path& file, const std::string& what) {
+  throw ConfigError(file.string() + ": error: " + what);
+}
+
+/// Reads the two header lines; leaves `in` at the first row.
+StateLog ReadStatesHeader(const std::filesystem::path& file, std::istream& in) {
+  std::string magic;
+  std::string line;
+  std::getline(in, magic);
+  std::getline(in, line);
+  if (magic != kStatesMagic) Fail(file, "is not a states.bin of version 1");
+  StateLog log;
+  int row_doubles = 0;
+  try {
+    const nlohmann::json header = nlohmann::json::parse(line);
+    log.nq = header.at("nq").get<int>();
+    log.feet = header.at("feet").get<std::vector<std::string>>();
+    log.dt_s = header.at("dt_s").get<double>();
+    row_doubles = header.at("row_doubles").get<int>();
+  } catch (const nlohmann::json::exception& failure) {
+    Fail(file, std::string("its header can't be read: ") + failure.what());
+  }
+  const int expected =
+      1 + log.nq + kPushDoubles + kFootDoubles * static_cast<int>(log.feet.size());
+  if (log.nq < 0 || row_doubles != expected) {
+    Fail(file, "its header says row_doubles = " + std::to_string(row_doubles) + ", expected " +
+                   std::to_string(expected));
+  }
+  if (!(log.dt_s > 0.0)) Fail(file, "its header says dt_s is not positive");
+  return log;
+}
+
+StateRow ParseStateRow(const std::vector<double>& numbers, int nq, std::size_t num_feet) {
+  Eigen::Index at = 0;
+  const auto take = [&](Eigen::Index count) {
+    at += count;
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data() + at - count, count);
+  };
+  StateRow row;
+  row.time_s = take(1)(0);
+  row.qpos = take(nq);
+  row.push_force_W = take(3);
+  row.push_point_W = take(3);
+  row.feet.resize(num_feet);
+  for (FootRow& foot : row.feet) {
+    foot.f_F_W = take(3);
+    foot.p_WF = take(3);
+    foot.nominal_p_WF = take(3);
+    foot.adjusted_p_WF = take(3);
+  }
+  return row;
+}
+
+}  // namespace
+
+StateLog ReadStates(const std::filesystem::path& run_dir) {
+  const std::filesystem::path file = run_dir / "states.bin";
+  std::ifstream in(file, std::ios::binary);
+  if (!in) Fail(file, "can't be read");
+  StateLog log = ReadStatesHeader(file, in);
+  const std::size_t num_feet = log.feet.size();
+  std::vector<double> numbers(1 + static_cast<std::size_t>(log.nq) + kPushDoubles +
+                              kFootDoubles * num_feet);
+  const auto row_bytes = static_cast<std::streamsize>(numbers.size() * sizeof(double));
+  std::vector<char> bytes(static_cast<std::size_t>(row_bytes));
+  while (in.read(bytes.data(), row_bytes)) {
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    log.rows.push_back(ParseStateRow(numbers, log.nq, num_feet));
+  }
+  if (log.rows.empty()) Fail(file, "holds no state");
+  return log;
+}
+
+std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir) {
+  const CsvTable table = CsvTable::Read(run_dir / "footsteps.csv");
+  const auto numbers = [&](const std::string& column) { return table.Numbers(column); };
+  const auto triple = [&](const std::string& stem) {
+    return std::array{numbers(stem + "_x_m"), numbers(stem + "_y_m"), numbers(stem + "_z_m")};
+  };
+  const auto index = numbers("index");
+  const auto start_s = numbers("start_s");
+  const auto end_s = numbers("end_s");
+  const auto slip_m = numbers("slip_m");
+  const auto nominal = triple("nominal");
+  const auto adjusted = triple("adjusted");
+  const auto realised = triple("realised");
+  const std::array lower{numbers("box_lower_x_m"), numbers("box_lower_y_m")};
+  const std::array upper{numbers("box_upper_x_m"), numbers("box_upper_y_m")};
+
+  std::vector<Footstep> steps(table.num_rows());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Footstep& step = steps[i];
+    const auto at = [i](const auto& xyz) {
+      return Eigen::Vector3d(xyz[0][i], xyz[1][i], xyz[2][i]);
+    };
+    step.foot = table.Text(i, "foot");
+    step.index = std::isfinite(index[i]) ? static_cast<int>(index[i]) : 0;
+    step.start_s = start_s[i];
+    step.end_s = end_s[i];
+    step.slip_m = slip_m[i];
+    step.nominal_p_WF = at(nominal);
+    step.adjusted_p_WF = at(adjusted);
+    if (at(realised).allFinite()) step.realised_p_WF = at(realised);
+    step.box_lower_m << lower[0][i], lower[1][i];
+    step.box_upper_m << upper[0][i], upper[1][i];
+  }
+  return steps;
+}
+
+nlohmann::json ReadSummary(const std::filesystem::path& run_dir) {
+  const std::filesystem::path file = run_dir / "summary.json";
+  const std::string text = ReadWholeFile(file);
+  nlohmann::json summary = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!summary.is_object()) Fail(file, "is not a JSON object");
+  return summary;
+}
+
+std::string ReadWholeFile(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || std::filesystem::is_directory(file)) Fail(file, "can't be read");
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
+std::vector<std::string> FeetOf(const CsvTable& trajectory) {
+  constexpr std::string_view kPrefix = "truth_contact_";
+  std::vector<std::string> feet;
+  for (const std::string& column : trajectory.header()) {
+    if (column.starts_with(kPrefix)) feet.push_back(column.substr(kPrefix.size()));
+  }
+  return feet;
+}
+
+}  // namespace sidestep

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// caption: the words in a frame.
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/record/run_reader.h"
+
+namespace sidestep::render {
+
+enum class CaptionPlace { kTopLeft, kTopRight, kBottom };
+
+/// One line of text on a coloured box. Lines of one place are stacked downwards.
+struct Caption {
+  CaptionPlace place{CaptionPlace::kTopLeft};
+  std::string text;  ///< Printable ASCII: MuJoCo's fonts know no more.
+  Eigen::Vector3f background{Eigen::Vector3f::Zero()};
+  bool is_big{false};
+};
+
+/// The captions at row.time_s: the scenario's name and the time, what pushes where, the verdict.
+/// In the last second before `end_s` the verdict is big and gives its reasons.
+///
+/// @param summary  A run's summary.json; absent keys are left out.
+std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const nlohmann::json& summary);
+
+/// `text` with every byte that is no printable ASCII replaced by '?', cut to `max_length`.
+std::string Printable(const std::string& text, std::size_t max_length);
+
+}  // namespace sidestep::render

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/render/caption_layout.h"
+
+#include <algorithm>
+
+namespace sidestep::render {
+namespace {
+
+struct TextSize {
+  int width_px{0};
+  int height_px{0};
+};
+
+TextSize SizeOf(const Caption& caption, const mjrContext& renderer) {
+  const int* widths = caption.is_big ? renderer.charWidthBig : renderer.charWidth;
+  TextSize size;
+  for (const char c : caption.text) size.width_px += widths[static_cast<int>(c)];
+  const int line_px = caption.is_big ? renderer.charHeightBig : renderer.charHeight;
+  size.width_px += line_px;  // half a line of air on either side
+  size.height_px = line_px + line_px / 2;
+  return size;
+}
+
+int Left(CaptionPlace place, const mjrRect& viewport, int margin_px, int width_px) {
+  switch (place) {
+    case CaptionPlace::kTopLeft:
+      return viewport.left + margin_px;
+    case CaptionPlace::kTopRight:
+      return viewport.left + viewport.width - margin_px - width_px;
+    case CaptionPlace::kBottom:
+      break;
+  }
+  return viewport.left + (viewport.width - width_px) / 2;
+}
+
+void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect viewport,
+               const mjrContext& renderer) {
+  const int margin_px = std::max(4, viewport.height / 48);
+  int height_px = 0;
+  for (const Caption& caption : captions) {
+    if (caption.place == place) height_px += SizeOf(caption, renderer).height_px;
+  }
+  int top = place == CaptionPlace::kBottom ? viewport.bottom + 2 * margin_px + height_px
+                                           : viewport.bottom + viewport.height - margin_px;
+  for (const Caption& caption : captions) {
+    if (caption.place != place) continue;
+    const TextSize size = SizeOf(caption, renderer);
+    const int width_px = std::min(size.width_px, viewport.width - 2 * margin_px);
+    top -= size.height_px;
+    const mjrRect box{Left(place, viewport, margin_px, width_px), top, width_px, size.height_px};
+    const Eigen::Vector3f& color = caption.background;
+    mjr_label(box, caption.is_big ? mjFONT_BIG : mjFONT_NORMAL, caption.text.c_str(), color.x(),
+              color.y(), color.z(), 0.85F, 1.0F, 1.0F, 1.0F, &renderer);
+  }
+}
+
+}  // namespace
+
+void DrawCaptions(const std::vector<Caption>& captions, mjrRect viewport,
+                  const mjrContext& renderer) {
+  for (const CaptionPlace place :
+       {CaptionPlace::kTopLeft, CaptionPlace::kTopRight, CaptionPlace::kBottom}) {
+    DrawStack(captions, place, viewport, renderer);
+  }
+}
+
+}  // namespace sidestep::render

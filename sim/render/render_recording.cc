@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/render/render_recording.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/support/config_error.h"
+#include "sim/render/frame_source.h"
+#include "sim/render/frames.h"
+#include "sim/render/scene_renderer.h"
+#include "sim/render/segment_process.h"
+#include "sim/render/video_file.h"
+
+namespace sidestep::render {
+namespace {
+
+// A folder for parts, removed when it goes out of scope.
+class ScratchDir {
+ public:
+  explicit ScratchDir(const std::filesystem::path& beside)
+      : path_(beside.parent_path() / (".render." + std::to_string(getpid()))) {
+    std::error_code failure;
+    std::filesystem::create_directories(path_, failure);
+    if (failure) {
+      throw ConfigError(path_.string() + ": error: can't be created: " + failure.message());
+    }
+  }
+  ~ScratchDir() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchDir(const ScratchDir&) = delete;
+  ScratchDir& operator=(const ScratchDir&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void CheckOptions(const RenderOptions& options) {
+  const bool is_even = options.width_px % 2 == 0 && options.height_px % 2 == 0;
+  if (options.width_px < 2 || options.height_px < 2 || !is_even || options.fps < 1) {
+    throw ConfigError("a video needs an even width and height and at least 1 frame a second, got " +
+                      std::to_string(options.width_px) + " x " +
+                      std::to_string(options.height_px) + " at " + std::to_string(options.fps));
+  }
+}
+
+void DrawSpan(const Recording& recording, mjModel* model, const RenderOptions& options,
+              const FrameSpan& span, const std::filesystem::path& part,
+              const std::function<void()>& report_frame) {
+  SceneRenderer renderer(model, options);
+  VideoWriter video(part, options.width_px, options.height_px, options.fps);
+  for (int frame = span.first; frame < span.end; ++frame) {
+    const FrameContent content = ContentAt(recording, options, FrameTime_s(frame, options.fps));
+    video.Add(renderer.Draw(recording.log.rows[content.row].qpos, content));
+    report_frame();
+  }
+  video.Finish();
+}
+
+// Waits for all; throws the first error, which ends the others on the way out.
+void Await(const std::vector<std::unique_ptr<SegmentProcess>>& processes, int frames,
+           const std::function<void(double)>& on_progress) {
+  std::vector<pollfd> waiting;
+  for (const auto& process : processes) {
+    waiting.push_back({process->report_descriptor(), POLLIN, 0});
+  }
+  for (std::size_t running = processes.size(); running > 0;) {
+    poll(waiting.data(), waiting.size(), -1);
+    int done = 0;
+    for (std::size_t i = 0; i < processes.size(); ++i) {
+      if (waiting[i].fd >= 0 && waiting[i].revents != 0 && !processes[i]->ReadReports()) {
+        if (!processes[i]->error().empty()) throw ConfigError(processes[i]->error());
+        waiting[i].fd = -1;  // poll() skips it from now on
+        --running;
+      }
+      done += processes[i]->steps_done();
+    }
+    if (on_progress) on_progress(static_cast<double>(done) / frames);
+  }
+}
+
+}  // namespace
+
+void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
+                 const std::filesystem::path& mp4) {
+  CheckOptions(options);
+  const int frames = FrameCount(recording.log, options.fps);
+  const ScratchDir scratch(std::filesystem::absolute(mp4));
+  std::vector<std::filesystem::path> parts;
+  std::vector<std::unique_ptr<SegmentProcess>> processes;
+  for (const FrameSpan& span : SplitFrames(frames, options.jobs)) {
+    const std::filesystem::path part =
+        scratch.path() / ("part" + std::to_string(parts.size()) + ".mkv");
+    parts.push_back(part);
+    processes.push_back(std::make_unique<SegmentProcess>([&](const auto& report_frame) {
+      DrawSpan(recording, model, options, span, part, report_frame);
+    }));
+  }
+  Await(processes, frames, options.on_progress);
+  const std::filesystem::path joined = scratch.path() / "video.mp4";
+  JoinVideos(parts, scratch.path(), joined);
+  std::error_code failure;
+  std::filesystem::rename(joined, mp4, failure);
+  if (failure) throw ConfigError(mp4.string() + ": error: can't be written: " + failure.message());
+}
+
+void RenderFrame(const Recording& recording, mjModel* model, const RenderOptions& options,
+                 double time_s, const std::filesystem::path& png) {
+  CheckOptions(options);
+  SceneRenderer renderer(model, options);
+  const FrameContent content = ContentAt(recording, options, time_s);
+  WritePng(renderer.Draw(recording.log.rows[content.row].qpos, content), options.width_px,
+           options.height_px, png);
+}
+
+}  // namespace sidestep::render

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// render_recording: draws a recording to a video or a picture, given its world's model.
+
+#include <mujoco/mujoco.h>
+
+#include <filesystem>
+
+#include "sim/render/recording.h"
+#include "sim/render/render_options.h"
+
+namespace sidestep::render {
+
+/// Draws all frames in options.jobs processes and writes `mp4`. The file appears whole or not at
+/// all; an older one stays until then. Parts live in a folder beside it that is removed in any
+/// case. @throws ConfigError if a size is odd or a part fails, with ffmpeg's or Mesa's words.
+void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
+                 const std::filesystem::path& mp4);
+
+/// Draws the frame `time_s` after the log's first row, in this process, and writes it as PNG.
+/// @throws ConfigError as RenderVideo.
+void RenderFrame(const Recording& recording, mjModel* model, const RenderOptions& options,
+                 double time_s, const std::filesystem::path& png);
+
+}  // namespace sidestep::render

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/render/render_run.h"
+
+#include "sim/render/recording.h"
+#include "sim/render/render_recording.h"
+#include "sim/scenario/read_scenario.h"
+#include "sim/world/world_model.h"
+
+namespace sidestep {
+namespace {
+
+struct LoadedRun {
+  MjModelPtr model;
+  render::Recording recording;
+};
+
+LoadedRun Load(const std::filesystem::path& run_dir) {
+  const Scenario scenario = ReadScenario(run_dir / "scenario.yaml", {});
+  LoadedRun run;
+  run.model = CompileWorld(scenario);
+  run.recording =
+      render::LoadRecording(run_dir, *run.model, scenario.description_of_robot.feet);
+  return run;
+}
+
+}  // namespace
+
+RenderOptions RenderOptionsOf(const std::filesystem::path& run_dir) {
+  const VideoParams video = ReadScenario(run_dir / "scenario.yaml", {}).video;
+  RenderOptions options;
+  options.width_px = video.width_px;
+  options.height_px = video.height_px;
+  options.fps = video.fps;
+  options.camera = video.camera;
+  return options;
+}
+
+void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& options) {
+  const LoadedRun run = Load(run_dir);
+  render::RenderVideo(run.recording, run.model.get(), options, run_dir / "video.mp4");
+}
+
+void WriteFramePng(const std::filesystem::path& run_dir, double time_s,
+                   const std::filesystem::path& png, const RenderOptions& options) {
+  const LoadedRun run = Load(run_dir);
+  const double first_s = run.recording.log.rows.front().time_s;
+  render::RenderFrame(run.recording, run.model.get(), options, time_s - first_s, png);
+}
+
+}  // namespace sidestep

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/render/scene_renderer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "models/support/config_error.h"
+#include "models/support/require.h"
+#include "sim/render/caption_layout.h"
+
+namespace sidestep::render {
+namespace {
+
+constexpr int kMaxShapes = 2000;
+constexpr double kFieldOfView_deg = 40.0;   // narrower than MuJoCo's 45: less distortion
+constexpr float kShadowHalfWidth_m = 2.5F;  // a small map over a small square stays sharp
+constexpr float kArrowGlow = 0.6F;          // arrows keep their colour on the shaded side
+
+struct QualitySettings {
+  int shadow_map_px;  // 0: no shadows
+  int samples;
+};
+
+QualitySettings SettingsOf(RenderQuality quality) {
+  switch (quality) {
+    case RenderQuality::kDraft:
+      return {0, 0};
+    case RenderQuality::kFine:
+      return {2048, 4};
+    case RenderQuality::kNormal:
+      break;
+  }
+  return {1024, 0};
+}
+
+void ApplyQuality(const RenderOptions& options, mjModel* model) {
+  const QualitySettings settings = SettingsOf(options.quality);
+  model->vis.global.offwidth = options.width_px;
+  model->vis.global.offheight = options.height_px;
+  model->vis.global.fovy = static_cast<float>(kFieldOfView_deg);
+  model->vis.quality.offsamples = settings.samples;
+  model->vis.quality.shadowsize = std::max(1, settings.shadow_map_px);
+  model->vis.map.shadowclip = kShadowHalfWidth_m / static_cast<float>(model->stat.extent);
+}
+
+int FontScale(int height_px) {
+  if (height_px < 360) return mjFONTSCALE_50;
+  if (height_px < 600) return mjFONTSCALE_100;
+  return height_px < 900 ? mjFONTSCALE_150 : mjFONTSCALE_200;
+}
+
+}  // namespace
+
+SceneRenderer::SceneRenderer(mjModel* model, const RenderOptions& options)
+    : model_(model),
+      quality_(options.quality),
+      data_(MakeData(*model)),
+      viewport_{0, 0, options.width_px, options.height_px},
+      pixels_(static_cast<std::size_t>(3) * static_cast<std::size_t>(options.width_px) *
+              static_cast<std::size_t>(options.height_px)) {
+  ApplyQuality(options, model_);
+  mjv_defaultScene(&scene_);
+  mjv_makeScene(model_, &scene_, kMaxShapes);
+  mjv_defaultOption(&shown_);
+  scene_.flags[mjRND_SHADOW] = SettingsOf(quality_).shadow_map_px > 0;
+  scene_.flags[mjRND_REFLECTION] = 0;
+  mjr_defaultContext(&renderer_);
+  mjr_makeContext(model_, &renderer_, FontScale(options.height_px));
+  mjr_setBuffer(mjFB_OFFSCREEN, &renderer_);
+  const mjrRect largest = mjr_maxViewport(&renderer_);
+  const bool fits = renderer_.currentBuffer == mjFB_OFFSCREEN &&
+                    largest.width >= viewport_.width && largest.height >= viewport_.height;
+  if (!fits) {
+    mjr_freeContext(&renderer_);
+    mjv_freeScene(&scene_);
+    throw ConfigError("Mesa has no off-screen buffer of " + std::to_string(options.width_px) +
+                      " x " + std::to_string(options.height_px) + " pixels");
+  }
+}
+
+SceneRenderer::~SceneRenderer() {
+  mjr_freeContext(&renderer_);
+  mjv_freeScene(&scene_);
+}
+
+const std::vector<std::uint8_t>& SceneRenderer::Draw(const Eigen::VectorXd& qpos,
+                                                     const FrameContent& content) {
+  SIDESTEP_REQUIRE(qpos.size() == model_->nq, qpos.size());
+  mju_copy(data_->qpos, qpos.data(), model_->nq);
+  mj_kinematics(model_, data_.get());
+  mj_comPos(model_, data_.get());
+  mj_camlight(model_, data_.get());
+  mj_tendon(model_, data_.get());
+
+  mjvCamera camera;
+  mjv_defaultCamera(&camera);
+  mju_copy3(camera.lookat, content.camera.look_at_W.data());
+  camera.distance = content.camera.distance_m;
+  camera.azimuth = content.camera.azimuth_deg;
+  camera.elevation = content.camera.elevation_deg;
+  mjv_updateScene(model_, data_.get(), &shown_, nullptr, &camera, mjCAT_ALL, &scene_);
+  // The sun travels with the view, or the robot would walk out of the shadow map.
+  for (int i = 0; i < scene_.nlight; ++i) {
+    mjvLight& light = scene_.lights[i];
+    if (light.headlight || !light.directional) continue;
+    for (int axis = 0; axis < 2; ++axis) {
+      light.pos[axis] = static_cast<float>(content.camera.look_at_W[axis]) +
+                        light.pos[2] * light.dir[axis] / light.dir[2];
+    }
+  }
+  for (const Decoration& decoration : content.decorations) AddDecoration(decoration);
+  mjr_render(viewport_, &scene_, &renderer_);
+  DrawCaptions(content.captions, viewport_, renderer_);
+  mjr_readPixels(pixels_.data(), nullptr, viewport_, &renderer_);
+  return pixels_;
+}
+
+void SceneRenderer::AddDecoration(const Decoration& decoration) {
+  if (scene_.ngeom >= scene_.maxgeom) return;  // a crowded frame loses marks, not the robot
+  mjvGeom* geom = scene_.geoms + scene_.ngeom++;
+  const double radius_m = decoration.radius_m;
+  switch (decoration.shape) {
+    case Shape::kArrow:
+    case Shape::kLine: {
+      const int type = decoration.shape == Shape::kArrow ? mjGEOM_ARROW : mjGEOM_CAPSULE;
+      mjv_initGeom(geom, type, nullptr, nullptr, nullptr, decoration.color.data());
+      const Eigen::Vector3d& a = decoration.from;
+      const Eigen::Vector3d& b = decoration.to;
+      mjv_makeConnector(geom, type, radius_m, a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
+      break;
+    }
+    case Shape::kSlab:
+      mjv_initGeom(geom, mjGEOM_BOX, decoration.half_m.data(), decoration.from.data(), nullptr,
+                   decoration.color.data());
+      break;
+    case Shape::kBall: {
+      const std::array<double, 3> size{radius_m, radius_m, radius_m};
+      mjv_initGeom(geom, mjGEOM_SPHERE, size.data(), decoration.from.data(), nullptr,
+                   decoration.color.data());
+      break;
+    }
+  }
+  geom->category = mjCAT_DECOR;
+  geom->objtype = mjOBJ_UNKNOWN;
+  geom->objid = -1;
+  geom->emission = decoration.shape == Shape::kSlab ? 0.2F : kArrowGlow;
+  geom->specular = 0.0F;
+  decoration.label.copy(geom->label, sizeof geom->label - 1);
+}
+
+}  // namespace sidestep::render

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// video_file: pixels to files, by ffmpeg as a process.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "sim/process/process.h"
+
+namespace sidestep::render {
+
+/// An H.264 stream being written, one frame at a time.
+class VideoWriter {
+ public:
+  /// Starts ffmpeg. @throws ConfigError if it can't be started.
+  VideoWriter(const std::filesystem::path& file, int width_px, int height_px, int fps);
+
+  /// Adds a frame of width x height x 3 bytes, rows from the bottom up.
+  /// @throws ConfigError with ffmpeg's words if it has given up.
+  void Add(const std::vector<std::uint8_t>& pixels);
+
+  /// Completes the file. @throws ConfigError with ffmpeg's words if it failed.
+  void Finish();
+
+ private:
+  Process ffmpeg_;
+};
+
+/// Joins streams that VideoWriter wrote, without coding them again, into an MP4 whose index comes
+/// first. `scratch_dir` takes the list of parts. @throws ConfigError with ffmpeg's words.
+void JoinVideos(const std::vector<std::filesystem::path>& parts,
+                const std::filesystem::path& scratch_dir, const std::filesystem::path& mp4);
+
+/// Writes one picture as PNG; pixels as in VideoWriter::Add. @throws ConfigError on failure.
+void WritePng(const std::vector<std::uint8_t>& pixels, int width_px, int height_px,
+              const std::filesystem::path& file);
+
+}  // namespace sidestep::render

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/synthetic_run.h"
+
+#include <Eigen/Core>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace sidestep::testing {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kHip_m = 0.5;      // trunk's origin above the floor
+constexpr double kMass_kg = 20.0;
+constexpr double kWidth_m = 0.16;   // between the feet
+constexpr double kSwing_s = 0.2;    // after the push the right foot swings this long
+constexpr double kMpcPeriod_s = 0.05;
+
+constexpr const char* kToyLeg = R"(
+      <body name="%-thigh" pos="0 @ 0">
+        <joint name="%_hip_roll" axis="1 0 0"/><joint name="%_hip_pitch" axis="0 1 0"/>
+        <geom type="capsule" fromto="0 0 0 0 0 -0.24" size="0.03" mass="1" rgba="0.2 0.3 0.4 1"/>
+        <body name="%-shin" pos="0 0 -0.24">
+          <joint name="%_knee" axis="0 1 0"/>
+          <geom type="capsule" fromto="0 0 0 0 0 -0.24" size="0.025" mass="1"
+                rgba="0.9 0.9 0.92 1"/>
+          <geom type="box" size="0.08 0.04 0.01" pos="0.02 0 -0.25" mass="0.5"
+                rgba="0.2 0.22 0.25 1"/>
+          <site name="%" pos="0 0 -0.26"/>
+        </body>
+      </body>)";
+
+std::string Replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
+std::string ToyMjcf() {
+  const auto leg = [](const std::string& name, const std::string& y) {
+    return Replaced(Replaced(kToyLeg, "%", name), "@", y);
+  };
+  return R"(<mujoco model="toy">
+  <default><geom contype="0" conaffinity="0"/></default>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.52"><freejoint/>
+      <geom type="box" size="0.07 0.11 0.14" pos="0 0 0.17" mass="15" rgba="0.9 0.9 0.92 1"/>
+      <geom type="sphere" size="0.07" pos="0.01 0 0.40" mass="1" rgba="0.2 0.3 0.4 1"/>
+      <site name="imu"/>)" +
+         leg("left", "0.08") + leg("right", "-0.08") + R"(
+    </body>
+  </worldbody>
+  <actuator>
+    <motor joint="left_hip_roll"/><motor joint="left_hip_pitch"/><motor joint="left_knee"/>
+    <motor joint="right_hip_roll"/><motor joint="right_hip_pitch"/><motor joint="right_knee"/>
+  </actuator>
+  <sensor>
+    <framequat name="imu_orientation" objtype="site" objname="imu"/>
+    <gyro name="imu_gyro" site="imu"/><accelerometer name="imu_accelerometer" site="imu"/>
+    <touch name="left_touch" site="left"/><touch name="right_touch" site="right"/>
+  </sensor>
+</mujoco>
+)";
+}
+
+constexpr const char* kToyRobot = R"(sidestep_robot: 1
+name: toy
+mjcf: toy.xml
+base: trunk
+imu: imu
+com_height_m: 0.6
+base_height_m: 0.52
+feet:
+  - {name: left, frame: left, sole_height_m: 0.0, vertices_m: [[0.10, 0.04, 0], [0.10, -0.04, 0], [-0.06, -0.04, 0], [-0.06, 0.04, 0]]}
+  - {name: right, frame: right, sole_height_m: 0.0, vertices_m: [[0.10, 0.04, 0], [0.10, -0.04, 0], [-0.06, -0.04, 0], [-0.06, 0.04, 0]]}
+)";
+
+// The toy's story at one instant.
+struct Moment {
+  Eigen::Vector3d p_WC;
+  Eigen::Vector3d v_WC;
+  Eigen::Vector3d push_N{Eigen::Vector3d::Zero()};
+  double swing{0.0};  // 0 before the right foot's step, 1 after it
+  bool is_swinging{false};
+  double tilt_rad{0.0};
+};
+
+Moment MomentAt(const SyntheticRun& run, double time_s) {
+  Moment moment;
+  const double since_s = time_s - run.push_start_s;
+  if (since_s >= 0.0 && since_s < run.push_duration_s) moment.push_N.y() = run.push_force_N;
+  const double impulse_mps = run.push_force_N * run.push_duration_s / kMass_kg;
+  const double decay = since_s > 0.0 ? std::exp(-3.0 * since_s) : 0.0;
+  const double drift_m = since_s > 0.0 ? impulse_mps * since_s * decay : 0.0;
+  moment.v_WC << 0.1, impulse_mps * decay * (1.0 - 3.0 * std::max(0.0, since_s)), 0.0;
+  moment.p_WC << 0.1 * time_s, 0.01 * std::sin(2.0 * kPi * time_s) + drift_m, 0.6;
+  moment.swing = std::min(1.0, std::max(0.0, (since_s - run.push_duration_s) / kSwing_s));
+  moment.is_swinging = moment.swing > 0.0 && moment.swing < 1.0;
+  moment.tilt_rad = 0.5 * drift_m;
+  if (run.verdict == "FAIL") moment.tilt_rad = 1.2 * time_s / run.duration_s;
+  return moment;
+}
+
+// Nominal and adjusted right foot; the left one never moves.
+Eigen::Vector3d LeftFoot() { return {0.0, 0.5 * kWidth_m, 0.0}; }
+Eigen::Vector3d RightFoot(bool next) { return {next ? 0.10 : 0.0, -0.5 * kWidth_m, 0.0}; }
+Eigen::Vector3d RightAdjusted(bool next) {
+  return RightFoot(next) + (next ? Eigen::Vector3d(0.02, 0.05, 0.0) : Eigen::Vector3d::Zero());
+}
+
+struct FootNow {
+  std::string name;
+  Eigen::Vector3d p_WF, f_F_W, nominal_p_WF, adjusted_p_WF;
+  bool is_down;
+};
+
+std::vector<FootNow> FeetAt(const Moment& moment) {
+  const bool next = moment.swing > 0.0;
+  const double weight_N = 9.81 * kMass_kg;
+  const double share = moment.is_swinging ? 1.0 : 0.5;
+  const Eigen::Vector3d lift(0.0, 0.0, 0.05 * std::sin(kPi * moment.swing));
+  const Eigen::Vector3d sideways = -0.2 * moment.push_N;
+  FootNow left{"left", LeftFoot(), sideways, LeftFoot(), LeftFoot(), true};
+  left.f_F_W.z() += share * weight_N;
+  FootNow right{"right",
+                RightFoot(false) + moment.swing * (RightAdjusted(true) - RightFoot(false)) + lift,
+                Eigen::Vector3d::Zero(), RightFoot(next), RightAdjusted(next), !moment.is_swinging};
+  if (right.is_down) right.f_F_W = sideways + Eigen::Vector3d(0, 0, 0.5 * weight_N);
+  return {left, right};
+}
+
+Eigen::VectorXd QposAt(const Moment& moment) {
+  Eigen::VectorXd qpos = Eigen::VectorXd::Zero(13);
+  const double bend = 0.5 * std::sin(kPi * moment.swing);
+  const double roll = -(moment.p_WC.y()) / kHip_m;
+  qpos << moment.p_WC.x(), moment.p_WC.y(), kHip_m + 0.01, std::cos(0.5 * moment.tilt_rad),
+      std::sin(-0.5 * moment.tilt_rad), 0.0, 0.0, roll, -0.1, 0.2, roll - 0.1 * moment.swing,
+      -0.1 - bend, 0.2 + 2.0 * bend;
+  return qpos;
+}
+
+// One CSV row: names in the first pass, numbers in the others, so that they can't drift apart.
+class Row {
+ public:
+  void Add(const std::string& name, double value) {
+    names_ += (names_.empty() ? "" : ",") + name;
+    values_ << (values_.tellp() > 0 ? "," : "") << value;
+  }
+  void AddVector(const std::string& stem, const std::string& unit, const Eigen::Vector3d& v) {
+    for (int i = 0; i < 3; ++i) Add(stem + "_" + "xyz"[i] + "_" + unit, v[i]);
+  }
+  const std::string& names() const { return names_; }
+  std::string values() const { return values_.str(); }
+
+ private:
+  std::string names_;
+  std::ostringstream values_;
+};
+
+void AddFoot(const FootNow& foot, Row* row) {
+  const std::string& name = foot.name;
+  row->AddVector("truth_p_WF_" + name, "m", foot.p_WF);
+  row->AddVector("truth_f_F_W_" + name, "N", foot.f_F_W);
+  row->Add("truth_contact_" + name, foot.is_down ? 1 : 0);
+  row->Add("planned_contact_" + name, foot.is_down ? 1 : 0);
+  row->AddVector("mpc_f_F_W_" + name, "N", 0.95 * foot.f_F_W);
+  row->AddVector("nominal_p_WF_" + name, "m", foot.nominal_p_WF);
+  row->AddVector("adjusted_p_WF_" + name, "m", foot.adjusted_p_WF);
+}
+
+Row TrajectoryRow(double time_s, const Moment& moment) {
+  Row row;
+  const Eigen::Vector3d reference(0.1 * time_s, 0.01 * std::sin(2.0 * kPi * time_s), 0.6);
+  row.Add("time_s", time_s);
+  row.AddVector("truth_p_WC", "m", moment.p_WC);
+  row.AddVector("truth_v_WC", "mps", moment.v_WC);
+  row.AddVector("truth_h_C_W", "kgm2ps", {2.0 * moment.tilt_rad, 0.1 * std::sin(time_s), 0.02});
+  row.AddVector("truth_p_WB", "m", moment.p_WC);
+  row.Add("truth_q_WB_w", std::cos(0.5 * moment.tilt_rad));
+  row.Add("truth_q_WB_x", std::sin(-0.5 * moment.tilt_rad));
+  row.Add("truth_q_WB_y", 0.0);
+  row.Add("truth_q_WB_z", 0.0);
+  row.Add("truth_tilt_rad", moment.tilt_rad);
+  for (const FootNow& foot : FeetAt(moment)) AddFoot(foot, &row);
+  row.AddVector("push_force_W", "N", moment.push_N);
+  row.AddVector("belief_p_WC", "m", moment.p_WC + Eigen::Vector3d(0.001, -0.001, 0.0));
+  row.AddVector("belief_v_WC", "mps", moment.v_WC);
+  row.AddVector("belief_h_C_W", "kgm2ps", Eigen::Vector3d::Zero());
+  row.AddVector("reference_p_WC", "m", reference);
+  row.AddVector("reference_v_WC", "mps", {0.1, 0.02 * kPi * std::cos(2.0 * kPi * time_s), 0.0});
+  row.AddVector("mpc_p_WC", "m", 0.5 * (reference + moment.p_WC));
+  row.AddVector("mpc_v_WC", "mps", moment.v_WC);
+  row.Add("wall_mpc_ms", 4.0);
+  return row;
+}
+
+void WriteStates(const std::filesystem::path& dir, const SyntheticRun& run, long rows) {
+  std::ofstream states(dir / "states.bin", std::ios::binary);
+  const int row_doubles = 1 + 13 + 6 + 2 * 12;
+  const nlohmann::json header{{"nq", 13},
+                              {"feet", {"left", "right"}},
+                              {"row_doubles", row_doubles},
+                              {"dt_s", run.dt_s}};
+  states << "sidestep-states 1\n" << header.dump() << "\n";
+  std::ofstream trajectory(dir / "trajectory.csv");
+  trajectory.precision(17);
+  for (long i = 0; i < rows; ++i) {
+    const double time_s = static_cast<double>(i) * run.dt_s;
+    const Moment moment = MomentAt(run, time_s);
+    std::vector<double> numbers{time_s};
+    const auto append = [&](const auto& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
+    append(QposAt(moment));
+    append(moment.push_N);
+    append(Eigen::Vector3d(moment.p_WC + Eigen::Vector3d(0.0, -0.11, 0.1)));
+    for (const FootNow& foot : FeetAt(moment)) {
+      append(foot.f_F_W);
+      append(foot.p_WF);
+      append(foot.nominal_p_WF);
+      append(foot.adjusted_p_WF);
+    }
+    states.write(reinterpret_cast<const char*>(numbers.data()),
+                 static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+    const Row row = TrajectoryRow(time_s, moment);
+    if (i == 0) trajectory << row.names() << "\n";
+    trajectory << row.values() << "\n";
+  }
+}
+
+void WriteFootsteps(const std::filesystem::path& dir, const SyntheticRun& run) {
+  const double lift_s = run.push_start_s + run.push_duration_s;
+  std::ofstream out(dir / "footsteps.csv");
+  out << "foot,index,start_s,end_s,nominal_x_m,nominal_y_m,nominal_z_m,adjusted_x_m,adjusted_y_m,"
+         "adjusted_z_m,realised_x_m,realised_y_m,realised_z_m,slip_m,box_lower_x_m,box_lower_y_m,"
+         "box_upper_x_m,box_upper_y_m\n"
+      << "left,0,0," << run.duration_s << ",0,0.08,0,0,0.08,0,0,0.08,0,0.001,0,0,0,0\n"
+      << "right,0,0," << lift_s << ",0,-0.08,0,0,-0.08,0,0,-0.08,0,0.001,0,0,0,0\n";
+  if (lift_s + kSwing_s < run.duration_s) {
+    out << "right,1," << lift_s + kSwing_s << "," << run.duration_s
+        << ",0.1,-0.08,0,0.12,-0.03,0,0.118,-0.032,0,0.002,-0.05,-0.03,0.05,0.07\n";
+  }
+}
+
+void WriteMpc(const std::filesystem::path& dir, const SyntheticRun& run) {
+  std::ofstream out(dir / "mpc.csv");
+  out << "time_s,status,iterations,cost,constraint_violation,kkt_error,wall_ms\n";
+  int count = 0;
+  for (double t = 0.0; t < run.duration_s; t += kMpcPeriod_s, ++count) {
+    out << t << ",solved," << 6 + count % 4 << ",12.5,1e-9,1e-8," << 4.0 + 0.7 * (count % 5)
+        << "\n";
+  }
+}
+
+nlohmann::json SummaryOf(const SyntheticRun& run) {
+  const bool is_fail = run.verdict == "FAIL";
+  const double impulse_Ns = run.push_force_N * run.push_duration_s;
+  nlohmann::json summary{
+      {"sidestep", "0.1.0"},
+      {"name", run.name},
+      {"verdict", run.verdict},
+      {"reasons", nlohmann::json::array()},
+      {"expectations",
+       {{{"metric", "fall"}, {"min", nullptr}, {"max", nullptr}, {"is", false},
+         {"measured", is_fail}, {"pass", !is_fail}},
+        {{"metric", "mean_step_adjustment_m"}, {"min", 0.01}, {"max", 0.1}, {"is", nullptr},
+         {"measured", 0.0539}, {"pass", true}}}},
+      {"metrics", {{"fall", is_fail}, {"mean_step_adjustment_m", 0.0539}, {"max_tilt_rad", 0.08}}},
+      {"pushes",
+       {{{"body", "trunk"}, {"start_s", run.push_start_s}, {"duration_s", run.push_duration_s},
+         {"impulse_Ns", impulse_Ns}, {"impulse_per_mass_mps", impulse_Ns / kMass_kg}}}},
+      {"solve_time_ms",
+       {{"p50", 5.4}, {"p99", 6.8}, {"max", 6.8}, {"deadline", 50.0}, {"misses", 0},
+        {"count", 10}}},
+      {"versions", {{"mujoco", "2.2.2"}, {"eigen", "3.4.0"}}},
+      {"seed", 1},
+      {"command", {"sidestep", "run", "toy.yaml"}},
+      {"wall_s", 0.8},
+      {"real_time_factor", 0.6}};
+  if (is_fail) {
+    summary["reasons"].push_back({{"class", "FALL"},
+                                  {"text", "base tilted beyond 1 rad"},
+                                  {"time_s", 0.8 * run.duration_s}});
+  }
+  return summary;
+}
+
+}  // namespace
+
+RobotDescription WriteToyRobot(const std::filesystem::path& dir) {
+  std::filesystem::create_directories(dir);
+  std::ofstream(dir / "toy.xml") << ToyMjcf();
+  std::ofstream(dir / "robot.yaml") << kToyRobot;
+  return ReadRobotDescription(dir / "robot.yaml");
+}
+
+void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run) {
+  WriteToyRobot(dir);
+  const long rows = std::lround(run.duration_s / run.dt_s);
+  WriteStates(dir, run, rows);
+  WriteFootsteps(dir, run);
+  WriteMpc(dir, run);
+  std::ofstream(dir / "summary.json") << SummaryOf(run).dump(2) << "\n";
+  std::ofstream(dir / "scenario.yaml")
+      << "sidestep: 1\nname: " << run.name << "\ndescription: A toy is pushed to the left.\n"
+      << "robot: " << (dir / "robot.yaml").string() << "\nduration_s: " << run.duration_s
+      << "\npushes:\n  - {body: trunk, force_N: [0, " << run.push_force_N
+      << ", 0], start_s: " << run.push_start_s << ", duration_s: " << run.push_duration_s
+      << "}\nvideo: {size: [160, 120], fps: 20}\n";
+}
+
+std::filesystem::path FreshTestDir(const std::string& name) {
+  const std::filesystem::path dir =
+      std::filesystem::temp_directory_path() / "sidestep_tests" / name;
+  std::filesystem::remove_all(dir);
+  std::filesystem::create_directories(dir);
+  return dir;
+}
+
+}  // namespace sidestep::testing

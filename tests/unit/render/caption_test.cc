@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/render/caption.h"
+
+#include <gtest/gtest.h>
+
+namespace sidestep::render {
+namespace {
+
+const nlohmann::json& FailedRun() {
+  static const nlohmann::json kSummary = nlohmann::json::parse(R"({
+    "name": "push_left", "verdict": "FAIL",
+    "reasons": [{"class": "FALL", "text": "base below half its height", "time_s": 3.25}],
+    "pushes": [{"body": "r_hand", "start_s": 1.0, "duration_s": 0.5}]})");
+  return kSummary;
+}
+
+StateRow RowAtTime(double time_s, double force_N = 0.0) {
+  StateRow row;
+  row.time_s = time_s;
+  row.push_force_W << 0.0, force_N, 0.0;
+  row.push_point_W.setZero();
+  return row;
+}
+
+bool Says(const std::vector<Caption>& captions, const std::string& text) {
+  for (const Caption& caption : captions) {
+    if (caption.text.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(CaptionTest, APushIsNamedWithItsForceAndBodyWhileItActs) {
+  EXPECT_TRUE(Says(CaptionsAt(RowAtTime(1.2, 40.0), 4.0, FailedRun()), "PUSH 40 N on r_hand"));
+  EXPECT_TRUE(Says(CaptionsAt(RowAtTime(1.6), 4.0, FailedRun()), "no push"));
+}
+
+TEST(CaptionTest, NameTimeAndVerdictAreAlwaysThere) {
+  const auto captions = CaptionsAt(RowAtTime(0.5), 4.0, FailedRun());
+  EXPECT_TRUE(Says(captions, "push_left"));
+  EXPECT_TRUE(Says(captions, "0.50 s / 4.00 s"));
+  EXPECT_TRUE(Says(captions, "FAIL FALL"));
+  for (const Caption& caption : captions) EXPECT_FALSE(caption.is_big);
+}
+
+TEST(CaptionTest, TheLastSecondShowsTheVerdictBigWithItsReason) {
+  const auto captions = CaptionsAt(RowAtTime(3.5), 4.0, FailedRun());
+  EXPECT_TRUE(Says(captions, "FALL: base below half its height at 3.25 s"));
+  EXPECT_EQ(std::count_if(captions.begin(), captions.end(),
+                          [](const Caption& caption) { return caption.is_big; }),
+            1);
+}
+
+TEST(CaptionTest, ASummaryWithoutAnythingIsNoError) {
+  const auto captions = CaptionsAt(RowAtTime(0.5, 12.0), 4.0, nlohmann::json::object());
+  EXPECT_TRUE(Says(captions, "PUSH 12 N"));
+}
+
+TEST(CaptionTest, TextThatTheFontLacksIsReplacedAndLongTextCut) {
+  EXPECT_EQ(Printable("a\tb\xC3\xA9", 10), "a?b??");
+  EXPECT_EQ(Printable("abcdefghij", 6), "abcd..");
+}
+
+}  // namespace
+}  // namespace sidestep::render
