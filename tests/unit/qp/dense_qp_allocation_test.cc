@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solve takes no memory, whatever the sizes. Eigen allocates by malloc and the standard library by
+// operator new; the linker sends both through counters here (--wrap, see CMakeLists.txt), in the
+// solver's library too. That also sees what EIGEN_RUNTIME_NO_MALLOC would, in Release as well.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <vector>
+
+#include "controller/wbc/qp/dense_qp.h"
+#include "tests/support/random_dense_qp.h"
+
+namespace {
+// Atomic because compilers may assume that malloc leaves a plain counter alone.
+std::atomic<std::int64_t> allocations = 0;
+}  // namespace
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* memory, std::size_t size);
+int __real_posix_memalign(void** memory, std::size_t alignment, std::size_t size);
+
+void* __wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __real_calloc(count, size);
+}
+void* __wrap_realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __real_realloc(memory, size);
+}
+int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __real_posix_memalign(memory, alignment, size);
+}
+}
+
+// Their malloc is the wrapped one: one count an allocation.
+void* operator new(std::size_t size) {
+  if (void* memory = std::malloc(size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace sidestep::wbc {
+namespace {
+
+std::int64_t CountDuringSolve(DenseQpSolver& solver, const DenseQpView& problem,
+                              const DenseQpSolution* guess) {
+  const std::int64_t before = allocations;
+  solver.Solve(problem, guess);
+  return allocations - before;
+}
+
+TEST(DenseQpAllocationTest, TheCountersSeeEigenAndTheStandardLibrary) {
+  // Volatile pointers keep the compiler from leaving the allocations out.
+  std::int64_t before = allocations;
+  const Eigen::VectorXd vector = Eigen::VectorXd::Zero(100);
+  const double* volatile data = vector.data();
+  EXPECT_EQ(allocations - before, 1) << data;
+  before = allocations;
+  const std::vector<double> values(100);
+  data = values.data();
+  EXPECT_EQ(allocations - before, 1) << data;
+}
+
+TEST(DenseQpAllocationTest, SolveTakesNoMemoryAsSizesComeAndGo) {
+  DenseQpSolver solver(RandomQpMaxima());
+  const DenseQpSolution* guess = nullptr;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const QpFamily family : kAllQpFamilies) {
+      const DenseQpProblem problem = MakeRandomQp(family, seed);
+      ASSERT_EQ(CountDuringSolve(solver, problem, guess), 0) << ToString(family) << " " << seed;
+      guess = &solver.Solve(problem);
+      ASSERT_EQ(guess->status, QpStatus::kSolved);
+    }
+  }
+}
+
+TEST(DenseQpAllocationTest, SolveTakesNoMemoryAboveEigensStackLimit) {
+  // 300 x 500 doubles are 1.2 MB; Eigen's products spill to the heap at 128 KiB.
+  constexpr int kN = 300, kEqualities = 40, kInequalities = 500;
+  SeededNumbers numbers(1);
+  DenseQpProblem problem;
+  problem.H = RandomPositiveDefinite(numbers, kN, kN, 0.1);
+  problem.g = numbers.NormalMatrix(kN, 1);
+  problem.A = numbers.NormalMatrix(kEqualities, kN);
+  problem.b = Eigen::VectorXd::Zero(kEqualities);
+  problem.C = numbers.NormalMatrix(kInequalities, kN);
+  problem.lower = Eigen::VectorXd::Constant(kInequalities, -2.0);
+  problem.upper = Eigen::VectorXd::Constant(kInequalities, 2.0);
+  DenseQpSolver solver({kN, kEqualities, kInequalities});
+  EXPECT_EQ(CountDuringSolve(solver, problem, nullptr), 0);
+  EXPECT_EQ(solver.Solve(problem).status, QpStatus::kSolved);
+}
+
+TEST(DenseQpAllocationTest, HardProblemsTakeNoMemoryEither) {
+  DenseQpSolver solver(RandomQpMaxima());
+  DenseQpProblem problem = MakeRandomQp(QpFamily::kVelocity, 3);
+  DenseQpProblem crossed = problem;
+  crossed.lower(0) = crossed.upper(0) + 1.0;
+  DenseQpProblem spoilt = problem;
+  spoilt.g(0) = std::numeric_limits<double>::quiet_NaN();
+  DenseQpProblem endless = problem;
+  endless.H.setZero();
+  endless.lower.setConstant(-std::numeric_limits<double>::infinity());
+  EXPECT_EQ(CountDuringSolve(solver, crossed, nullptr), 0);
+  EXPECT_EQ(solver.Solve(crossed).status, QpStatus::kInfeasible);
+  EXPECT_EQ(CountDuringSolve(solver, spoilt, nullptr), 0);
+  EXPECT_EQ(solver.Solve(spoilt).status, QpStatus::kNumericalError);
+  EXPECT_EQ(CountDuringSolve(solver, endless, nullptr), 0);
+  EXPECT_EQ(solver.Solve(endless).status, QpStatus::kUnbounded);
+}
+
+}  // namespace
+}  // namespace sidestep::wbc
