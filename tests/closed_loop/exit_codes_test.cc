@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program as the shell sees it: exit codes, one-line errors, what it overwrites, Ctrl-C.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/process/process.h"
+#include "tests/unit/check/check_test_support.h"
+
+namespace sidestep {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Stands for a moment: the shortest run that uses every room.
+constexpr const char* kStanding = R"(sidestep: 1
+name: standing
+robot: hopper
+duration_s: 0.3
+expect: {fall: false}
+)";
+// Does nothing, and so falls within the time it takes to sink.
+constexpr const char* kFalling = R"(sidestep: 1
+name: falling
+robot: hopper
+duration_s: 3.0
+control: {mode: passive}
+expect: {fall: false}
+)";
+
+ProcessResult Sidestep(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), SIDESTEP_BINARY);
+  return RunProcess(arguments);
+}
+
+// As `run` of `file` into `out`, without pictures.
+ProcessResult RunOf(const fs::path& file, const fs::path& out,
+                    const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"run", file, "-o", out, "--no-video", "--no-plots", "-q"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return Sidestep(arguments);
+}
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+nlohmann::json SummaryOf(const fs::path& run_dir) {
+  return nlohmann::json::parse(TextOf(run_dir / "summary.json"));
+}
+
+void ExpectOneLine(const std::string& err) {
+  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+}
+
+TEST(ExitCodeTest, APassIsZero) {
+  const ScratchFolder folder;
+  const ProcessResult result = RunOf(folder.Write("s.yaml", kStanding), folder.path() / "out");
+  EXPECT_EQ(result.exit_code, 0) << result.err << result.out;
+  EXPECT_EQ(SummaryOf(folder.path() / "out")["verdict"], "PASS");
+  EXPECT_NE(result.out.find("standing: PASS"), std::string::npos) << result.out;
+}
+
+TEST(ExitCodeTest, AFallThatIsNotExpectedIsOne) {
+  const ScratchFolder folder;
+  const ProcessResult result = RunOf(folder.Write("s.yaml", kFalling), folder.path() / "out");
+  EXPECT_EQ(result.exit_code, 1) << result.err << result.out;
+  EXPECT_EQ(SummaryOf(folder.path() / "out")["verdict"], "FAIL");
+  EXPECT_NE(result.out.find("FALL"), std::string::npos) << result.out;
+}
+
+TEST(ExitCodeTest, AFallThatIsExpectedIsZero) {
+  const ScratchFolder folder;
+  const ProcessResult result = RunOf(folder.Write("s.yaml", kFalling), folder.path() / "out",
+                                     {"--set", "expect={fall: true}"});
+  EXPECT_EQ(result.exit_code, 0) << result.err << result.out;
+}
+
+TEST(ExitCodeTest, MistakesOfTheUserAreTwoAndOneLineOnStderr) {
+  const ScratchFolder folder;
+  const std::string good = folder.Write("s.yaml", kStanding);
+  const std::string bad = folder.Write("bad.yaml", std::string(kStanding) + "wrold: {}\n");
+  const std::string out = folder.path() / "out";
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {"frobnicate"},
+           {"run"},
+           {"run", good, "--frobnicate"},
+           {"run", "absent.yaml", "-o", out},
+           {"run", bad, "-o", out},
+           {"run", good, "-o", out, "--set", "world.friction"},
+           {"run", good, "-o", out, "--set", "world.frictoin=0.4"},
+           {"run", good, "-o", out, "--set", "world.friction=lots"},
+           {"validate", bad},
+           {"check", bad},
+           {"check", good, "--jobs", "0"},
+           {"render", folder.path()},
+           {"solve", good},
+           {"robots", "no_such_robot"}}) {
+    const ProcessResult result = Sidestep(arguments);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments) << result.err;
+    ExpectOneLine(result.err);
+    EXPECT_EQ(result.out, "") << testing::PrintToString(arguments);
+  }
+  EXPECT_FALSE(fs::exists(out)) << "a run that never began left a folder";
+}
+
+TEST(ExitCodeTest, AMistakeInAFileIsToldWithItsPlace) {
+  const ScratchFolder folder;
+  const fs::path bad = folder.Write("bad.yaml", std::string(kStanding) + "wrold: {}\n");
+  const ProcessResult result = Sidestep({"validate", bad});
+  EXPECT_EQ(result.err.find(bad.string() + ":6:1: error: "), 0U) << result.err;
+}
+
+TEST(ExitCodeTest, HelpAndVersionAreZeroAndGoToStdout) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"--help"}, {"--version"}, {"run", "--help"}, {"check", "--help"}}) {
+    const ProcessResult result = Sidestep(arguments);
+    EXPECT_EQ(result.exit_code, 0) << testing::PrintToString(arguments);
+    EXPECT_NE(result.out, "");
+    EXPECT_EQ(result.err, "");
+  }
+}
+
+TEST(OutputFolderTest, AFolderThatIsNotEmptyIsRefusedAndKept) {
+  const ScratchFolder folder;
+  const fs::path file = folder.Write("s.yaml", kStanding);
+  folder.Write("out/thesis.tex", "years of work");
+  const fs::path out = folder.path() / "out";
+  EXPECT_EQ(RunOf(file, out).exit_code, 2);
+  EXPECT_EQ(RunOf(file, out, {"--force"}).exit_code, 2) << "it holds no run";
+  EXPECT_EQ(TextOf(out / "thesis.tex"), "years of work");
+}
+
+TEST(OutputFolderTest, ForceReplacesARunAndNothingElse) {
+  const ScratchFolder folder;
+  const fs::path file = folder.Write("s.yaml", kStanding);
+  const fs::path out = folder.path() / "out";
+  ASSERT_EQ(RunOf(file, out).exit_code, 0);
+  folder.Write("out/notes.txt", "mine");
+  folder.Write("out/video.mp4", "of the older run");
+  EXPECT_EQ(RunOf(file, out).exit_code, 2);
+  EXPECT_TRUE(fs::exists(out / "video.mp4"));
+  EXPECT_EQ(RunOf(file, out, {"--force"}).exit_code, 0);
+  EXPECT_EQ(TextOf(out / "notes.txt"), "mine");
+  EXPECT_FALSE(fs::exists(out / "video.mp4")) << "a video of another run";
+}
+
+TEST(ResolvedScenarioTest, RunsAgainAsItIsToTheSameStates) {
+  const ScratchFolder folder;
+  const fs::path first = folder.path() / "first";
+  const fs::path second = folder.path() / "second";
+  ASSERT_EQ(RunOf(folder.Write("s.yaml", kStanding), first).exit_code, 0);
+  ASSERT_EQ(RunOf(first / "scenario.yaml", second).exit_code, 0);
+  EXPECT_EQ(TextOf(first / "states.bin"), TextOf(second / "states.bin"));
+  EXPECT_EQ(TextOf(first / "scenario.yaml"), TextOf(second / "scenario.yaml"));
+}
+
+// Starts a run of a minute, sends `signal` once it writes, and returns its exit code.
+int ExitCodeAfter(int signal, const fs::path& file, const fs::path& out) {
+  const std::vector<std::string> words{SIDESTEP_BINARY, "run",       file, "-o", out, "-q",
+                                       "--no-video",    "--no-plots"};
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  pid_t pid = -1;
+  if (posix_spawn(&pid, SIDESTEP_BINARY, nullptr, nullptr, argv.data(), environ) != 0) return -1;
+  for (int i = 0; i < 600 && !fs::exists(out / "trajectory.csv"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  kill(pid, signal);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+TEST(InterruptTest, AnInterruptedRunIsInvalidAndLeavesWholeFiles) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const ScratchFolder folder;
+    const fs::path out = folder.path() / "out";
+    const std::string long_one =
+        std::string(kStanding).replace(std::string(kStanding).find("0.3"), 3, "9000");
+    EXPECT_EQ(ExitCodeAfter(signal, folder.Write("s.yaml", long_one), out), 3);
+    const nlohmann::json summary = SummaryOf(out);
+    EXPECT_EQ(summary["verdict"], "INVALID");
+    EXPECT_EQ(summary["reasons"][0]["class"], "INTERRUPTED") << summary["reasons"];
+    const std::string trajectory = TextOf(out / "trajectory.csv");
+    ASSERT_FALSE(trajectory.empty());
+    EXPECT_EQ(trajectory.back(), '\n');
+    for (const char* name : {"scenario.yaml", "states.bin", "footsteps.csv", "mpc.csv"}) {
+      EXPECT_TRUE(fs::exists(out / name)) << name;
+    }
+  }
+}
+
+TEST(CheckTest, TheWorstVerdictDecidesAndJunitTellsEach) {
+  const ScratchFolder folder;
+  folder.Write("suite/a.yaml", kStanding);
+  const fs::path falling = folder.Write("suite/b.yaml", kFalling);
+  const fs::path junit = folder.path() / "junit.xml";
+  const std::string runs = folder.path() / "runs";
+  const ProcessResult mixed = Sidestep(
+      {"check", folder.path() / "suite", "--jobs", "2", "--junit", junit, "-o", runs, "-q"});
+  EXPECT_EQ(mixed.exit_code, 1) << mixed.err << mixed.out;
+  EXPECT_NE(mixed.out.find("1 PASS, 1 FAIL, 0 INVALID"), std::string::npos) << mixed.out;
+  const std::string xml = TextOf(junit);
+  EXPECT_NE(xml.find("tests=\"2\" failures=\"1\" errors=\"0\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<failure message=\"FALL"), std::string::npos) << xml;
+  fs::remove(falling);
+  EXPECT_EQ(Sidestep({"check", folder.path() / "suite", "-o", runs, "-q"}).exit_code, 2)
+      << "its folders are not empty";
+  EXPECT_EQ(Sidestep({"check", folder.path() / "suite", "-o", runs, "-q", "--force"}).exit_code, 0);
+}
+
+TEST(CheckTest, OneBadScenarioStopsTheWholeCheckBeforeAnyRun) {
+  const ScratchFolder folder;
+  folder.Write("suite/a.yaml", kStanding);
+  folder.Write("suite/b.yaml", std::string(kStanding) + "wrold: {}\n");
+  const fs::path runs = folder.path() / "runs";
+  const ProcessResult result = Sidestep({"check", folder.path() / "suite", "-o", runs});
+  EXPECT_EQ(result.exit_code, 2);
+  ExpectOneLine(result.err);
+  EXPECT_FALSE(fs::exists(runs));
+}
+
+TEST(SolveTest, SolvedIsZeroInfeasibleIsOneAndBothWriteTheirFile) {
+  const ScratchFolder folder;
+  const std::string data = std::string(SIDESTEP_SOURCE_DIR) + "/tests/data/reference/";
+  const fs::path out = folder.path() / "out.json";
+  EXPECT_EQ(
+      Sidestep({"solve", data + "hopper_stance_first.json", "--repeat", "3", "-o", out}).exit_code,
+      0);
+  const auto solved = nlohmann::json::parse(TextOf(out));
+  for (const auto& block : {solved, solved["solution"]}) {
+    EXPECT_GT(block["iterations"].get<int>(), 0);
+    EXPECT_LE(block["solve_time_ms"]["median"], block["solve_time_ms"]["p95"]);
+    EXPECT_LE(block["solve_time_ms"]["p95"], block["solve_time_ms"]["max"]);
+  }
+  EXPECT_EQ(solved["solution"]["status"], "solved");
+  EXPECT_EQ(Sidestep({"solve", out}).exit_code, 0) << "a solved file can be solved again";
+  const ProcessResult infeasible =
+      Sidestep({"solve", data + "infeasible_inverted_box.json", "-o", out});
+  EXPECT_EQ(infeasible.exit_code, 1) << infeasible.err;
+  EXPECT_NE(nlohmann::json::parse(TextOf(out))["solution"]["status"], "solved");
+}
+
+TEST(RobotsTest, TheHopperIsListedAndItsMjcfIsWritten) {
+  const ScratchFolder folder;
+  const ProcessResult list = Sidestep({"robots"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_NE(list.out.find("hopper\n"), std::string::npos) << list.out;
+  const fs::path mjcf = folder.path() / "hopper.xml";
+  EXPECT_EQ(Sidestep({"robots", "hopper", "--mjcf", mjcf}).exit_code, 0);
+  EXPECT_NE(TextOf(mjcf).find("<mujoco"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sidestep
