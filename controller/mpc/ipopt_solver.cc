@@ -117,6 +117,11 @@ class IpoptSolver final : public CentroidalSolver {
     list.SetIntegerValue("max_iter", options.max_iterations);
     // No relaxed bounds: the optimum satisfies the friction cones to rounding, as data in SI.
     list.SetNumericValue("bound_relax_factor", 0.0);
+    // The NLP is mass-normalised already; scaling by the gradient at the start would make the
+    // tolerance depend on the start (and costs warm starts of the hopper twice the iterations).
+    list.SetStringValue("nlp_scaling_method", "none");
+    // Bound multipliers that match the barrier instead of ones: 14 -> 9 iterations on iCub.
+    list.SetStringValue("bound_mult_init_method", "mu-based");
     const Ipopt::ApplicationReturnStatus ready = application_->Initialize("");
     SIDESTEP_REQUIRE(ready == Ipopt::Solve_Succeeded, static_cast<int>(ready));
   }
