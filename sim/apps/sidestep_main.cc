@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <string>
 
 #include "models/support/config_error.h"
@@ -87,6 +88,9 @@ int main(int argc, char** argv) {
     return RunCommandLine(argc, argv);
   } catch (const ConfigError& error) {
     PrintError("", error.what());
+    return kExitBadInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    PrintError("sidestep: error: ", error.what());  // a path the user gave and we may not touch
     return kExitBadInput;
   } catch (const std::exception& error) {
     PrintError("sidestep: internal error: ", error.what());

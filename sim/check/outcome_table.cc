@@ -58,7 +58,9 @@ std::string OutcomeTable(const std::vector<Outcome>& outcomes, double wall_s) {
       const bool is_number = i == 2 || i == 3;
       table += (is_number ? padding + row[i] : row[i] + padding) + "  ";
     }
-    table += row.back() + "\n";
+    table += row.back();
+    table.erase(table.find_last_not_of(' ') + 1);
+    table += "\n";
   }
   return table + std::to_string(outcomes.size()) + " run in " + Fixed("%.1f", wall_s) +
          " s: " + std::to_string(count[0]) + " PASS, " + std::to_string(count[1]) + " FAIL, " +

@@ -33,8 +33,8 @@ struct CheckPlan {
 using CheckListener = std::function<void(const Outcome& outcome, std::size_t num_done)>;
 
 /// Runs all items; the outcomes are in the items' order. Once `stop` returns true no further run is
-/// started: what was not started is INVALID with reason INTERRUPTED. Runs in progress are waited
-/// for: a terminal's Ctrl-C reaches them as well.
+/// started, and those in progress are told to end (SIGTERM) and waited for. What was not started is
+/// INVALID with reason INTERRUPTED. `stop` is called from several threads.
 std::vector<Outcome> RunChecks(const CheckPlan& plan, const std::function<bool()>& stop,
                                const CheckListener& listener);
 

@@ -7,23 +7,42 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 
 namespace sidestep {
 
 namespace internal {
+
 inline std::atomic<bool> interrupt_flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not take a lock");
+inline std::atomic<std::time_t> interrupt_time_s{0};
+static_assert(std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<std::time_t>::is_always_lock_free,
+              "a signal handler may not take a lock");
+
+/// Ends the program on a signal that comes more than a second after the first: the user insists.
+/// Sooner, it is the same request told twice (a terminal and `timeout` tell process and group).
+inline void HandleInterrupt(int signal) {
+  constexpr std::time_t kPatience_s = 1;
+  const std::time_t now_s = std::time(nullptr);
+  if (!interrupt_flag.exchange(true)) {
+    interrupt_time_s.store(now_s);
+  } else if (now_s > interrupt_time_s.load() + kPatience_s) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
 }  // namespace internal
 
 /// True once SIGINT or SIGTERM arrived.
 inline bool InterruptRequested() { return internal::interrupt_flag.load(); }
 
-/// Makes the first SIGINT and the first SIGTERM raise the flag; a second one of the same kind ends
-/// the program at once, as usual. Call once, from main.
+/// Makes the first SIGINT or SIGTERM raise the flag; a later one ends the program at once. Call
+/// once, from main.
 inline void InstallInterruptHandlers() {
   struct sigaction action {};
-  action.sa_handler = [](int) { internal::interrupt_flag.store(true); };
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  action.sa_handler = internal::HandleInterrupt;
+  action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

@@ -39,6 +39,9 @@ class Process {
   /// it (it failed: Finish() tells why). Never raises SIGPIPE.
   bool Write(const void* data, std::size_t size);
 
+  /// Its process id, for kill(); -1 after Finish().
+  pid_t pid() const { return pid_; }
+
   /// Closes the program's input and waits for its end. Call once.
   ProcessResult Finish();
 

@@ -80,8 +80,9 @@ int Solve(const SolveArguments& arguments) {
     (*block)["iterations"] = solution.iterations;
   }
   if (!arguments.out.empty()) WriteTextFile(arguments.out, document.dump(1) + "\n");
-  std::printf("%s: %s, cost %.9g, %d iterations, median %.2f ms of %d\n", arguments.problem.c_str(),
-              mpc::ToString(solution.status), solution.cost, solution.iterations,
+  std::printf("%s: %s", arguments.problem.c_str(), mpc::ToString(solution.status));
+  if (mpc::IsUsable(solution.status)) std::printf(", cost %.9g", solution.cost);
+  std::printf(", %d iterations, median %.2f ms of %d\n", solution.iterations,
               times["median"].get<double>(), arguments.repeat);
   return mpc::IsUsable(solution.status) ? kExitPass : kExitFail;
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -17,6 +19,7 @@ namespace {
 constexpr const char* kScript = R"(#!/bin/sh
 file=$2; dir=$4; mkdir -p "$dir"
 verdict=$(cat "$file")
+[ "$verdict" = HANG ] && exec sleep 60
 [ "$verdict" = CRASH ] && { echo "about to crash" >&2; kill -SEGV $$; }
 printf '{"verdict": "%s", "reasons": [], "expectations": []}' "$verdict" > "$dir/summary.json"
 echo "$*" > "$dir/arguments"
@@ -70,13 +73,25 @@ TEST(RunChecksTest, EveryRunGetsThePlansArguments) {
 
 TEST(RunChecksTest, AfterAStopNothingIsStartedAndTheRestIsInvalid) {
   Fixture fixture({"PASS", "PASS", "PASS"});
-  bool stop = false;
+  std::atomic<bool> stop{false};
   const auto outcomes = RunChecks(
-      fixture.plan, [&] { return stop; }, [&](const Outcome&, std::size_t) { stop = true; });
+      fixture.plan, [&] { return stop.load(); }, [&](const Outcome&, std::size_t) { stop = true; });
   EXPECT_EQ(outcomes[0].run_class, RunClass::kPass);
   EXPECT_EQ(outcomes[1].run_class, RunClass::kInvalid);
   EXPECT_EQ(outcomes[2].reasons[0], "INTERRUPTED: it was not started");
   EXPECT_FALSE(std::filesystem::exists(fixture.folder.path() / "s1"));
+}
+
+TEST(RunChecksTest, AStopEndsTheRunsInProgress) {
+  Fixture fixture({"PASS", "HANG"});
+  const auto start = std::chrono::steady_clock::now();
+  const auto outcomes = RunChecks(
+      fixture.plan,
+      [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(1); },
+      [](const Outcome&, std::size_t) {});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_EQ(outcomes[1].run_class, RunClass::kInvalid);
+  EXPECT_NE(outcomes[1].reasons[0].find("signal 15"), std::string::npos) << outcomes[1].reasons[0];
 }
 
 TEST(RunChecksTest, AProgramThatCannotBeStartedIsInvalid) {
