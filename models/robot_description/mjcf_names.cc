@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <array>
 #include <regex>
 
@@ -12,17 +13,21 @@
 namespace sidestep {
 namespace {
 
-/// One line of MuJoCo's message, with its place where we put ours.
+/// MuJoCo's message in one line, with its place where we put ours. Its compiler says
+/// "line = 3, column = 7", its schema check "line 3, column 7", its XML parser "Line number=3";
+/// line 0 and column -1 mean unknown.
 [[noreturn]] void FailToCompile(const std::filesystem::path& mjcf, const std::string& message) {
-  const std::string flat = std::regex_replace(message, std::regex("\\s*\\n\\s*"), "; ");
-  std::smatch place;
-  const std::regex line_rule("[,;]?\\s*\\(?line (?:= )?(\\d+)(?:, column (?:= )?(-?\\d+))?\\)?");
-  if (!std::regex_search(flat, place, line_rule)) {
-    throw ConfigError(mjcf.string() + ": error: " + flat);
+  std::string flat = std::regex_replace(message, std::regex("\\s*\\n\\s*"), "; ");
+  const std::regex rule(",?\\s*[Ll]ine(?: number)? ?=? ?(\\d+)(?:, column ?=? ?(-?\\d+))?");
+  int line = 0, column = 0;
+  if (std::smatch place; std::regex_search(flat, place, rule)) {
+    line = std::stoi(place[1]);
+    column = place[2].matched ? std::stoi(place[2]) : 0;
+    flat = place.prefix().str() + place.suffix().str();
   }
-  const int column = place[2].matched ? std::stoi(place[2]) : 1;
-  throw ConfigError(mjcf.string(), std::stoi(place[1]), column > 0 ? column : 1,
-                    place.prefix().str() + place.suffix().str());
+  flat.erase(flat.find_last_not_of(" ;:") + 1);
+  if (line < 1) throw ConfigError(mjcf.string() + ": error: " + flat);
+  throw ConfigError(mjcf.string(), line, std::max(column, 1), flat);
 }
 
 std::vector<std::string> NamesOf(const mjModel& model, int type, int count) {

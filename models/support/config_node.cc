@@ -179,7 +179,7 @@ ConfigNode ConfigMap::Required(const std::string& key) {
 }
 
 std::optional<ConfigNode> ConfigMap::Optional(const std::string& key) {
-  known_.push_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   const ConfigTree* child = tree_->Find(key);
   if (child == nullptr) return std::nullopt;
   return ConfigNode(*child, PathOf(key));

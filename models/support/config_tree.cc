@@ -16,6 +16,8 @@
 namespace sidestep {
 namespace {
 
+constexpr std::size_t kMaxDepth = 32;  // Our files need 5; functions recurse over the tree.
+
 /// Builds a ConfigTree from yaml-cpp's parse events.
 class TreeBuilder : public YAML::EventHandler {
  public:
@@ -79,6 +81,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void Open(ConfigKind kind, const YAML::Mark& mark, const std::string& tag) {
     RejectTag(mark, tag);
+    if (open_.size() == kMaxDepth) FailAt(PlaceOf(mark), "is nested too deeply");
     OpenContainer container;
     container.tree.kind = kind;
     container.tree.place = PlaceOf(mark);

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/robot_description/robot_description.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "models/support/config_text.h"
+#include "tests/support/temp_folder.h"
+
+namespace sidestep {
+namespace {
+
+const std::filesystem::path kRobots =
+    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/robots";
+
+TEST(RobotDescriptionTest, ReadsARobotWithAnMjcf) {
+  const RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
+  EXPECT_EQ(robot.name, "mini");
+  EXPECT_EQ(robot.file, kRobots / "mini/robot.yaml");
+  EXPECT_EQ(robot.mjcf, kRobots / "mini/mini.xml");
+  EXPECT_EQ(robot.mass_kg, 0.0);
+  EXPECT_EQ(robot.base, "trunk");
+  EXPECT_EQ(robot.imu, "imu");
+  EXPECT_EQ(robot.com_height_m, 0.45);
+  EXPECT_EQ(robot.base_height_m, 0.5);
+  EXPECT_EQ(robot.home, (std::map<std::string, double>{{"hip", 0.1}, {"leg", 0.05}}));
+  ASSERT_EQ(robot.feet.size(), 1U);
+  EXPECT_EQ(robot.feet[0].name, "foot");
+  EXPECT_EQ(robot.feet[0].frame, "foot");
+  EXPECT_EQ(robot.feet[0].sole_height_m, 0.02);
+  EXPECT_EQ(robot.feet[0].vertices_m, Eigen::Matrix3Xd::Zero(3, 1));
+}
+
+TEST(RobotDescriptionTest, ReadsARobotOfTheCentroidalPlant) {
+  const RobotDescription robot = ReadRobotDescription(kRobots / "walker/robot.yaml");
+  EXPECT_TRUE(robot.mjcf.empty());
+  EXPECT_EQ(robot.mass_kg, 30.0);
+  ASSERT_EQ(robot.feet.size(), 2U);
+  EXPECT_EQ(robot.feet[1].name, "right");
+  EXPECT_EQ(robot.feet[1].frame, "right_sole");
+  Eigen::Matrix3Xd vertices_m(3, 2);
+  vertices_m << 0.1, -0.1, 0.05, -0.05, 0, 0;  // one column a vertex
+  EXPECT_EQ(robot.feet[1].vertices_m, vertices_m);
+}
+
+TEST(RobotDescriptionTest, ACentroidalFootIsItsOwnFrameByDefault) {
+  EXPECT_EQ(ReadRobotDescription(kRobots / "point/robot.yaml").feet[0].frame, "foot");
+}
+
+TEST(RobotDescriptionTest, NamesComeFromTheMjcf) {
+  const RobotNames names = NamesIn(ReadRobotDescription(kRobots / "mini/robot.yaml"));
+  EXPECT_EQ(names.bodies, (std::vector<std::string>{"trunk", "thigh", "shank"}));
+  EXPECT_EQ(names.frames, (std::vector<std::string>{"imu", "foot"}));
+}
+
+TEST(RobotDescriptionTest, NamesOfACentroidalRobotAreItsComAndFeet) {
+  const RobotNames names = NamesIn(ReadRobotDescription(kRobots / "walker/robot.yaml"));
+  EXPECT_EQ(names.bodies, (std::vector<std::string>{"com"}));
+  EXPECT_EQ(names.frames, (std::vector<std::string>{"left_sole", "right_sole"}));
+}
+
+/// Copies of the fixtures, with one edit.
+class RobotErrorTest : public testing::Test {
+ protected:
+  std::string ErrorOfEdit(const std::string& robot, const std::string& from,
+                          const std::string& to) const {
+    const std::string text = ReadConfigText(kRobots / robot / "robot.yaml");
+    folder_.Write("mini.xml", ReadConfigText(kRobots / "mini/mini.xml"));
+    const std::filesystem::path file = folder_.Write("robot.yaml", Edit(text, from, to));
+    return folder_.ErrorOf([&] { ReadRobotDescription(file); });
+  }
+
+  std::string ErrorOfMjcf(const std::string& from, const std::string& to) const {
+    const std::filesystem::path file =
+        folder_.Write("robot.yaml", ReadConfigText(kRobots / "mini/robot.yaml"));
+    folder_.Write("mini.xml", Edit(ReadConfigText(kRobots / "mini/mini.xml"), from, to));
+    return folder_.ErrorOf([&] { ReadRobotDescription(file); });
+  }
+
+  const TempFolder folder_;
+};
+
+TEST_F(RobotErrorTest, AnUntouchedCopyHasNoError) {
+  EXPECT_EQ(ErrorOfEdit("mini", "name: mini", "name: mini"), "no error");
+  EXPECT_EQ(ErrorOfEdit("walker", "name: walker", "name: walker"), "no error");
+}
+
+TEST_F(RobotErrorTest, Version) {
+  EXPECT_EQ(ErrorOfEdit("mini", "sidestep_robot: 1", "sidestep_robot: 2"),
+            "robot.yaml:1:17: error: sidestep_robot = 2 is a version that this program can't read; "
+            "it reads 1");
+  EXPECT_EQ(ErrorOfEdit("mini", "sidestep_robot: 1\n", ""),
+            "robot.yaml:1:1: error: sidestep_robot is missing (required)");
+}
+
+TEST_F(RobotErrorTest, Names) {
+  EXPECT_EQ(ErrorOfEdit("mini", "name: mini", "name: ''"),
+            "robot.yaml:2:7: error: name must not be empty");
+  EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trnk"),
+            "robot.yaml:4:7: error: base = 'trnk' is no body with a free joint of the MJCF; did "
+            "you mean 'trunk'?");
+  EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: thigh"),
+            "robot.yaml:4:7: error: base = 'thigh' is no body with a free joint of the MJCF; known "
+            "ones: trunk");
+  EXPECT_EQ(ErrorOfEdit("mini", "imu: imu", "imu: head"),
+            "robot.yaml:5:6: error: imu = 'head' is no site of the MJCF; known ones: imu, foot");
+  EXPECT_EQ(ErrorOfEdit("mini", "imu: imu", "imu: foot"),
+            "robot.yaml:5:6: error: imu needs a sensor 'foot_orientation', which the MJCF lacks");
+  EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: toe"),
+            "robot.yaml:10:25: error: feet.0.frame = 'toe' is no site of the MJCF; known ones: "
+            "imu, foot");
+  EXPECT_EQ(
+      ErrorOfEdit("mini", "name: foot", "name: paw"),
+      "robot.yaml:10:12: error: feet.0.name needs a sensor 'paw_touch', which the MJCF lacks");
+  EXPECT_EQ(ErrorOfEdit("mini", "hip: 0.1", "hop: 0.1"),
+            "robot.yaml:8:8: error: home.hop is no joint of the MJCF; did you mean 'hip'?");
+  EXPECT_EQ(ErrorOfEdit("walker", "name: right", "name: left"),
+            "robot.yaml:7:12: error: feet.1.name = 'left' names two feet");
+}
+
+TEST_F(RobotErrorTest, Values) {
+  EXPECT_EQ(ErrorOfEdit("mini", "com_height_m: 0.45", "com_height_m: 0.0"),
+            "robot.yaml:6:15: error: com_height_m = 0 violates 0.01 <= com_height_m <= 10");
+  EXPECT_EQ(ErrorOfEdit("mini", "base_height_m: 0.5", "base_height_m: 500"),
+            "robot.yaml:7:16: error: base_height_m = 500 violates 0 <= base_height_m <= 10");
+  EXPECT_EQ(ErrorOfEdit("mini", "hip: 0.1", "hip: 0.1rad"),
+            "robot.yaml:8:13: error: home.hip = '0.1rad' is not a number");
+  EXPECT_EQ(ErrorOfEdit("mini", "[[0, 0, 0]]", "[]"),
+            "robot.yaml:10:64: error: feet.0.vertices_m must hold at least one vertex");
+  EXPECT_EQ(ErrorOfEdit("mini", "[[0, 0, 0]]", "[[0, 0]]"),
+            "robot.yaml:10:65: error: feet.0.vertices_m.0 must be a list of 3 numbers, not of 2");
+  EXPECT_EQ(
+      ErrorOfEdit("mini", "sole_height_m: 0.02", "sole_height_m: -0.02"),
+      "robot.yaml:10:46: error: feet.0.sole_height_m = -0.02 violates 0 <= sole_height_m <= 10");
+  EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30", "mass_kg: 0"),
+            "robot.yaml:3:10: error: mass_kg must be greater than 0");
+  EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30", "mass_kg: 1e5"),
+            "robot.yaml:3:10: error: mass_kg = 1e+05 violates 0 <= mass_kg <= 10000");
+}
+
+TEST_F(RobotErrorTest, Keys) {
+  EXPECT_EQ(ErrorOfEdit("mini", "mjcf: mini.xml", "mjcf: maxi.xml"),
+            "robot.yaml:3:7: error: mjcf = 'maxi.xml' is no file beside this one");
+  EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trunk\nmass_kg: 1"),
+            "robot.yaml:5:10: error: mass_kg is told by the MJCF; leave it out");
+  EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trunk\ncolour: red"),
+            "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
+            "com_height_m, mjcf, mass_kg, base, imu, base_height_m, home, feet");
+  EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: foot, size: 1"),
+            "robot.yaml:10:31: error: feet.0.size is not a known key; known keys: name, frame, "
+            "vertices_m, sole_height_m");
+  EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30\n", ""),
+            "robot.yaml:1:1: error: mass_kg is missing (required)");
+  EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30", "mass_kg: 30\nbase: trunk"),
+            "robot.yaml:4:1: error: base means nothing for a robot without an mjcf");
+  EXPECT_EQ(ErrorOfEdit("point", "feet:\n  - {name: foot, vertices_m: [[0, 0, 0]]}", "feet: []"),
+            "robot.yaml:5:7: error: feet must hold at least one foot");
+}
+
+TEST_F(RobotErrorTest, Mjcf) {
+  EXPECT_EQ(ErrorOfMjcf("</mujoco>", ""),
+            "mini.xml:2:1: error: XML parse error 15:; Error=XML_ERROR_PARSING ErrorID=15 (0xf)");
+  EXPECT_EQ(
+      ErrorOfMjcf("<freejoint/>", "<freejont/>"),
+      "mini.xml:5:1: error: XML Error: Schema violation: unrecognized element; Element 'freejont'");
+  EXPECT_EQ(ErrorOfMjcf("<motor joint=\"hip\"/>", "<motor joint=\"knee\"/>"),
+            "mini.xml:20:1: error: Error: unknown transmission target 'knee' for actuator id = 0; "
+            "Object name = , id = 0");
+  EXPECT_EQ(
+      ErrorOfMjcf("<touch name=\"foot_touch\" site=\"foot\"/>", ""),
+      "robot.yaml:10:12: error: feet.0.name needs a sensor 'foot_touch', which the MJCF lacks");
+  EXPECT_EQ(ErrorOfMjcf("mass=\"1\"", "mass=\"one\""),
+            "mini.xml:6:1: error: XML Error: problem reading attribute 'mass'; Element 'geom'");
+}
+
+TEST_F(RobotErrorTest, NamesInTellsAnMjcfThatVanished) {
+  RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
+  robot.mjcf = folder_.path() / "gone.xml";
+  EXPECT_EQ(folder_.ErrorOf([&] { NamesIn(robot); }),
+            "gone.xml: error: XML parse error 3:; Error=XML_ERROR_FILE_NOT_FOUND ErrorID=3 (0x3): "
+            "filename=gone.xml");
+}
+
+}  // namespace
+}  // namespace sidestep

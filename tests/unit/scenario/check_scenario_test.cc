@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/scenario/check_scenario.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/scenario/scenario_fixture.h"
+
+namespace sidestep {
+namespace {
+
+using CheckScenarioTest = ScenarioFixture;
+
+const std::vector<std::string> kWalker{"robot=walker", "plant=centroidal", "pushes=[]",
+                                       "gait={type: walk}"};
+
+TEST_F(CheckScenarioTest, AcceptsWhatFits) {
+  EXPECT_EQ(ErrorIn(valid_), "no error");
+  EXPECT_EQ(ErrorIn(valid_, kWalker), "no error");
+  EXPECT_EQ(ErrorOfSet("control.rate_hz=40"), "no error") << "25 ms and 50 ms at 1 ms";
+  EXPECT_EQ(ErrorOfSet("world.step_s=0.0005"), "no error");
+  EXPECT_EQ(ErrorOfSet("duration_s=4.1"), "no error") << "the last push ends with the scenario";
+}
+
+TEST_F(CheckScenarioTest, Plant) {
+  EXPECT_EQ(ErrorOfEdit("robot: mini", "robot: point"),
+            "a.yaml:4:8: error: plant = mujoco needs a robot with an MJCF, which 'point' lacks; "
+            "write plant: centroidal");
+  EXPECT_EQ(ErrorIn("sidestep: 1\nname: a\nrobot: point\nduration_s: 1\n"),
+            "a.yaml:3:8: error: plant = mujoco needs a robot with an MJCF, which 'point' lacks; "
+            "write plant: centroidal");
+}
+
+TEST_F(CheckScenarioTest, Rates) {
+  EXPECT_EQ(ErrorOfEdit("  rate_hz: 500", "  rate_hz: 300"),
+            "a.yaml:9:12: error: control.rate_hz = 300 has a period that is no whole number of "
+            "physics steps (world.step_s = 0.001)");
+  EXPECT_EQ(ErrorOfEdit("  rate_hz: 500", "  rate_hz: 2000"),
+            "a.yaml:9:12: error: control.rate_hz = 2000 has a period that is no whole number of "
+            "physics steps (world.step_s = 0.001)");
+  EXPECT_EQ(ErrorOfEdit("{rate_hz: 20", "{rate_hz: 30"),
+            "a.yaml:10:18: error: control.mpc.rate_hz = 30 has a period that is no whole number of "
+            "control periods (control.rate_hz = 500)");
+  EXPECT_EQ(ErrorOfEdit("{rate_hz: 20", "{rate_hz: 1000"),
+            "a.yaml:10:18: error: control.mpc.rate_hz = 1000 has a period that is no whole number "
+            "of control periods (control.rate_hz = 500)");
+  EXPECT_EQ(ErrorOfEdit("step_s: 0.05", "step_s: 0.0525"),
+            "a.yaml:10:41: error: control.mpc.step_s = 0.0525 is no whole number of physics steps "
+            "(world.step_s = 0.001)");
+  EXPECT_EQ(ErrorIn("sidestep: 1\nname: a\nrobot: mini\nduration_s: 1\nworld: {step_s: 0.003}\n"),
+            "a.yaml:5:17: error: control.rate_hz = 500 has a period that is no whole number of "
+            "physics steps (world.step_s = 0.003)")
+      << "the control rate is a default: the step is to blame";
+}
+
+TEST_F(CheckScenarioTest, Mpc) {
+  EXPECT_EQ(
+      ErrorOfEdit("knots: 12", "backend: ipot"),
+      "a.yaml:10:31: error: control.mpc.backend = 'ipot' is not known; did you mean 'ipopt'?");
+  EXPECT_EQ(
+      ErrorOfEdit("knots: 12", "backend: structured"),
+      "a.yaml:10:31: error: control.mpc.backend = 'structured' is not known; known values: ipopt");
+  EXPECT_EQ(ErrorOfEdit("[-0.1, -0.2, 0]", "[-0.1, 0.2, 0]"),
+            "a.yaml:10:67: error: control.mpc.box_lower_m.1 = 0.2 is above box_upper_m.1 = 0.1");
+  EXPECT_EQ(ErrorOfEdit("box_lower_m: [-0.1, -0.2, 0]", "box_upper_m: [0.1, 0.1, -0.1]"),
+            "a.yaml:10:71: error: control.mpc.box_lower_m.2 = 0 is above box_upper_m.2 = -0.1");
+}
+
+TEST_F(CheckScenarioTest, Gaits) {
+  EXPECT_EQ(ErrorOfEdit("type: hop", "type: walk"),
+            "a.yaml:11:14: error: gait.type = walk needs a robot of 2 feet; 'mini' has 1");
+  EXPECT_EQ(ErrorOfEdit("type: hop", "type: run"),
+            "a.yaml:11:14: error: gait.type = run needs a robot of 2 feet; 'mini' has 1");
+  EXPECT_EQ(ErrorOfEdit("step_width_m: 0", "step_width_m: 0.1"),
+            "a.yaml:11:49: error: gait.step_width_m = 0.1 must be 0 for a robot of 1 foot");
+  EXPECT_EQ(ErrorOfEdit("type: hop", "type: hop, start_s: 1"),
+            "a.yaml:11:28: error: gait.start_s must be 0 for the first gait");
+  EXPECT_EQ(ErrorOfSet("gait=[{type: hop}, {type: stand}]"),
+            "--set gait=[{type: hop}, {type: stand}]: error: gait.1.start_s = 0 must be after the "
+            "gait before it, at 0 (column 15 of the value)");
+  EXPECT_EQ(ErrorOfSet("gait=[{type: hop}, {start_s: 2}, {start_s: 2}]"),
+            "--set gait=[{type: hop}, {start_s: 2}, {start_s: 2}]: error: gait.2.start_s = 2 must "
+            "be after the gait before it, at 2 (column 39 of the value)");
+  EXPECT_EQ(ErrorIn(Edit(Edit(Edit(valid_, "robot: mini", "robot: walker"), "plant: mujoco",
+                              "plant: centroidal"),
+                         "body: trunk", "body: com")),
+            "a.yaml:11:14: error: gait.type = hop needs a robot of 1 foot; 'walker' has 2");
+}
+
+TEST_F(CheckScenarioTest, Pushes) {
+  EXPECT_EQ(ErrorOfEdit("body: trunk", "body: trnk"),
+            "a.yaml:13:12: error: pushes.0.body = 'trnk' is no body or frame of 'mini'; did you "
+            "mean 'trunk'?");
+  EXPECT_EQ(ErrorOfEdit("body: trunk", "body: head"),
+            "a.yaml:13:12: error: pushes.0.body = 'head' is no body or frame of 'mini'; known "
+            "ones: trunk, thigh, shank, imu, foot");
+  EXPECT_EQ(ErrorOfEdit("body: trunk", "body: world"),
+            "a.yaml:13:12: error: pushes.0.body = 'world' is no body or frame of 'mini'; known "
+            "ones: trunk, thigh, shank, imu, foot")
+      << "the world can't be pushed";
+  EXPECT_EQ(ErrorOfEdit("plant: mujoco", "plant: centroidal"),
+            "a.yaml:13:12: error: pushes.0.body = 'trunk' is no body or frame of 'mini'; known "
+            "ones: com, foot")
+      << "the reduced model has no trunk";
+  EXPECT_EQ(ErrorOfEdit("duration_s: 6", "duration_s: 4.05"),
+            "a.yaml:14:5: error: pushes.1 ends at 4.1 s, after the scenario's duration_s = 4.05");
+}
+
+}  // namespace
+}  // namespace sidestep

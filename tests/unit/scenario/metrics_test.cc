@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/verdict/metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace sidestep {
+namespace {
+
+TEST(MetricsTest, NamesAreUniqueAndFound) {
+  std::set<std::string_view> names;
+  for (const MetricInfo& metric : KnownMetrics()) {
+    EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
+    EXPECT_EQ(FindMetric(metric.name), &metric);
+    EXPECT_FALSE(metric.meaning.empty()) << metric.name;
+  }
+  EXPECT_EQ(FindMetric("fal"), nullptr);
+}
+
+TEST(MetricsTest, NamesEndInTheirUnit) {
+  for (const MetricInfo& metric : KnownMetrics()) {
+    if (metric.unit.empty()) continue;
+    std::string suffix = "_" + std::string(metric.unit);
+    if (const auto slash = suffix.find('/'); slash != std::string::npos) suffix[slash] = 'p';
+    EXPECT_TRUE(metric.name.ends_with(suffix)) << metric.name;
+    EXPECT_FALSE(metric.is_bool) << metric.name;
+  }
+}
+
+TEST(MetricsTest, FallAndSlipAreTrueOrFalse) {
+  ASSERT_NE(FindMetric("fall"), nullptr);
+  ASSERT_NE(FindMetric("slip"), nullptr);
+  EXPECT_TRUE(FindMetric("fall")->is_bool);
+  EXPECT_TRUE(FindMetric("slip")->is_bool);
+  EXPECT_EQ(std::count_if(KnownMetrics().begin(), KnownMetrics().end(),
+                          [](const MetricInfo& metric) { return metric.is_bool; }),
+            2);
+}
+
+}  // namespace
+}  // namespace sidestep
