@@ -75,7 +75,9 @@ std::string ViolationOf(const Include& include, const Room& room, const std::vec
   }
   const std::string folder = FolderOf(include.target);
   if (folder == room.folder || RoomOf(rooms, folder) == nullptr) return {};
-  const bool is_allowed = std::count(room.may_include.begin(), room.may_include.end(), folder) > 0;
+  const auto& allowed = room.may_include;
+  const bool is_allowed = std::count(allowed.begin(), allowed.end(), folder) > 0 ||
+                          std::count(allowed.begin(), allowed.end(), include.target) > 0;
   return is_allowed ? std::string() : room.folder + " may not include " + folder;
 }
 

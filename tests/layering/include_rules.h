@@ -12,7 +12,7 @@ namespace sidestep::layering {
 /// A room of the house: one folder of sources, without its subfolders.
 struct Room {
   std::string folder;                    ///< From the root, such as "controller/wbc".
-  std::vector<std::string> may_include;  ///< Folders of other rooms; its own is always allowed.
+  std::vector<std::string> may_include;  ///< Other rooms' folders, or single headers of theirs.
   bool may_use_mujoco{false};
 };
 

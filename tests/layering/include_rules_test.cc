@@ -44,6 +44,16 @@ TEST(IncludeRulesTest, ASiblingThatTheTableDoesNotNameFails) {
   EXPECT_EQ(InMpc({"#include \"controller/model/b.h\""}).size(), 1U);
 }
 
+TEST(IncludeRulesTest, ASingleHeaderMayBeAllowedWithoutItsRoom) {
+  const std::vector<Room> rooms{{"sim/a", {"sim/b/names.h"}}, {"sim/b", {}}};
+  const std::vector<Source> sources{
+      File("sim/b/names.h", {}), File("sim/b/rest.h", {}),
+      File("sim/a/x.cc", {"#include \"sim/b/names.h\"", "#include \"sim/b/rest.h\""})};
+  const auto violations = IncludeViolations(sources, rooms);
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0], "sim/a/x.cc:2: sim/a may not include sim/b");
+}
+
 TEST(IncludeRulesTest, MujocoFailsOutsideTheRoomsThatMayUseIt) {
   EXPECT_EQ(InMpc({"#include <mujoco/mujoco.h>"}).size(), 1U);
   EXPECT_EQ(InMpc({"#include \"mujoco/mujoco.h\""}).size(), 1U);

@@ -21,7 +21,8 @@ const Folders kChain{"controller/types",   "controller/model", "controller/estim
                      "controller/wbc"};
 const Folders kScenario = kRobot + Folders{"controller/types", "sim/scenario"};
 const Folders kWorld = kScenario + Folders{"sim/world"};
-const Folders kTools = kWorld + Folders{"sim/process"};
+// What shows or checks a run afterwards: it reads folders of runs and may start programs.
+const Folders kTools = kWorld + Folders{"sim/record", "sim/verdict", "sim/process"};
 
 std::vector<Room> ModelRooms() {
   return {
@@ -47,14 +48,15 @@ std::vector<Room> ControllerRooms() {
 }
 
 std::vector<Room> SimRooms() {
-  const Folders verdict = kScenario + Folders{"sim/record"};
   return {
-      {"sim/scenario", kRobot + Folders{"controller/types"}},
+      // The metrics' names only: a scenario may expect what the verdict measures.
+      {"sim/scenario", kRobot + Folders{"controller/types", "sim/verdict/metrics.h"}},
       {"sim/world", kScenario, true},
       {"sim/sensors", kWorld, true},
       {"sim/actuators", kWorld, true},
-      {"sim/record", kWorld + Folders{"controller", "controller/mpc"}},
-      {"sim/verdict", verdict},
+      // Truth, and how the solver fared; never what the controller believes.
+      {"sim/verdict", kWorld + Folders{"controller/mpc/mpc_solution.h"}},
+      {"sim/record", kWorld + Folders{"sim/verdict", "controller/mpc"}},
       {"sim/episode",
        kWorld + kChain +
            Folders{"controller", "sim/sensors", "sim/actuators", "sim/record", "sim/verdict"}},
@@ -62,12 +64,12 @@ std::vector<Room> SimRooms() {
       {"sim/render", kTools, true},
       {"sim/plot", kTools},
       {"sim/report", kTools},
-      {"sim/check", kTools + Folders{"sim/verdict"}},
-      {"sim/apps", kTools + Folders{"sim/apps/commands"}},
+      {"sim/check", kTools},
       {"sim/apps/commands",
-       kTools + Folders{"controller/mpc", "sim/verdict", "sim/episode", "sim/render", "sim/plot",
-                        "sim/report", "sim/check", "sim/apps"},
+       kTools + Folders{"controller/mpc", "sim/episode", "sim/render", "sim/plot", "sim/report",
+                        "sim/check"},
        true},
+      {"sim/apps", kSupport + Folders{"sim/episode/interrupt.h", "sim/apps/commands"}, true},
   };
 }
 
