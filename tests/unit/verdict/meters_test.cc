@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The small meters: slips, flights, solver answers and tilt.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/verdict/fall_meter.h"
+#include "sim/verdict/flight_meter.h"
+#include "sim/verdict/footstep_log.h"
+#include "sim/verdict/slip_meter.h"
+
+namespace sidestep {
+namespace {
+
+constexpr double kTick_s = 0.001;
+constexpr double kMinLoad_N = 5.0;
+
+FootTruth FootAt(double x_m, double force_N, bool in_contact = true) {
+  FootTruth foot;
+  foot.p_WF.x() = x_m;
+  foot.f_F_W.z() = force_N;
+  foot.in_contact = in_contact;
+  return foot;
+}
+
+TEST(SlipMeterTest, SettlingOfTheFirstTenMillisecondsIsNoSlip) {
+  SlipMeter meter(kTick_s, kMinLoad_N);
+  for (Tick tick = 0; tick < 10; ++tick) meter.Add(tick, FootAt(SecondsAt(tick, 0.01), 50.0));
+  for (Tick tick = 10; tick < 50; ++tick) meter.Add(tick, FootAt(0.5, 50.0));
+  EXPECT_EQ(meter.max_slip_m(), 0.0);
+  meter.Add(50, FootAt(0.503, 50.0));
+  EXPECT_NEAR(meter.max_slip_m(), 0.003, 1e-15);
+}
+
+TEST(SlipMeterTest, UnloadedFootMayMove) {
+  SlipMeter meter(kTick_s, kMinLoad_N);
+  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0));
+  meter.Add(50, FootAt(0.1, 4.0));
+  EXPECT_EQ(meter.max_slip_m(), 0.0);
+}
+
+TEST(SlipMeterTest, NextStanceHasItsOwnAnchor) {
+  SlipMeter meter(kTick_s, kMinLoad_N);
+  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0));
+  meter.Add(50, FootAt(0.002, 50.0));
+  for (Tick tick = 51; tick < 150; ++tick) meter.Add(tick, FootAt(0.2, 0.0, false));
+  EXPECT_EQ(meter.stance_slip_m(), 0.0);
+  for (Tick tick = 150; tick < 200; ++tick) meter.Add(tick, FootAt(0.4, 50.0));
+  EXPECT_EQ(meter.stance_slip_m(), 0.0);
+  EXPECT_NEAR(meter.max_slip_m(), 0.002, 1e-15);
+}
+
+TEST(SlipMeterTest, FootThatChattersAcrossTheFloorSlips) {
+  // Slides 1 mm a tick and loses contact on every fifth: the stance goes on through the bounces.
+  SlipMeter meter(kTick_s, kMinLoad_N);
+  for (Tick tick = 0; tick < 100; ++tick) {
+    const bool in_contact = tick % 5 != 4;
+    meter.Add(tick, FootAt(SecondsAt(tick, 0.001), in_contact ? 50.0 : 0.0, in_contact));
+  }
+  EXPECT_NEAR(meter.max_slip_m(), 0.001 * (98 - 10), 1e-12);
+}
+
+// A ballistic flight from tick 10 to 210 whose apex is `rise_m` above 0.5 m, wanted at 0.6 m.
+double ApexError(double rise_m, Tick flight_ticks) {
+  FlightMeter meter(kTick_s);
+  for (Tick tick = 0; tick < 300; ++tick) {
+    WorldTruth truth;
+    truth.feet.resize(1);
+    truth.feet[0].in_contact = tick < 10 || tick >= 10 + flight_ticks;
+    const double u = 2.0 * static_cast<double>(tick - 10) / static_cast<double>(flight_ticks) - 1.0;
+    const double hill = truth.feet[0].in_contact ? 0.0 : 1.0 - u * u;
+    truth.p_WC.z() = 0.5 + rise_m * hill;
+    ControlTick control;
+    control.reference.p_WC.z() = 0.5 + 0.1 * hill;
+    meter.Add(truth, tick % 2 == 0 ? &control : nullptr);
+  }
+  return meter.max_apex_error_m();
+}
+
+TEST(FlightMeterTest, ApexErrorIsTruthAgainstTheNominalOfTheSameFlight) {
+  EXPECT_NEAR(ApexError(0.1, 200), 0.0, 1e-12);
+  EXPECT_NEAR(ApexError(0.13, 200), 0.03, 1e-12);
+  EXPECT_NEAR(ApexError(0.04, 200), 0.06, 1e-12);
+}
+
+TEST(FlightMeterTest, ShortLossOfContactIsNoFlight) {
+  EXPECT_TRUE(std::isnan(ApexError(0.13, 40)));
+}
+
+TEST(ConeViolationTest, IsTheWorstOfAllVerticesAndOfBothSides) {
+  FootTarget foot;
+  EXPECT_EQ(ConeViolation_N(foot, 0.5), 0.0);
+  foot.vertex_force_N.resize(3, 2);
+  foot.vertex_force_N.col(0) << 2.0, -3.0, 10.0;  // |2| + |3| = 0.5 x 10: on the edge
+  foot.vertex_force_N.col(1) << 0.0, 0.0, 4.0;
+  EXPECT_NEAR(ConeViolation_N(foot, 0.5), 0.0, 1e-15);
+  foot.vertex_force_N.col(0).x() = 2.5;
+  EXPECT_NEAR(ConeViolation_N(foot, 0.5), 0.5, 1e-12);
+  foot.vertex_force_N.col(1).z() = -3.0;
+  EXPECT_NEAR(ConeViolation_N(foot, 0.5), 3.0, 1e-12);
+}
+
+TEST(TiltTest, KeepsItsDigitsNearUprightAndUpsideDown) {
+  const auto tilt = [](double angle_rad) {
+    return TiltRad(Eigen::Quaterniond(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitY())));
+  };
+  EXPECT_NEAR(tilt(1e-9), 1e-9, 1e-16);
+  EXPECT_NEAR(tilt(3.0), 3.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace sidestep
