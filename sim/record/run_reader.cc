@@ -41,8 +41,7 @@ StateLog ReadStatesHeader(const std::filesystem::path& file, std::istream& in) {
   } catch (const nlohmann::json::exception& failure) {
     Fail(file, std::string("its header can't be read: ") + failure.what());
   }
-  const int expected =
-      1 + log.nq + kPushDoubles + kFootDoubles * static_cast<int>(log.feet.size());
+  const int expected = 1 + log.nq + kPushDoubles + kFootDoubles * static_cast<int>(log.feet.size());
   if (log.nq < 0 || row_doubles != expected) {
     Fail(file, "its header says row_doubles = " + std::to_string(row_doubles) + ", expected " +
                    std::to_string(expected));

@@ -9,15 +9,15 @@
 namespace sidestep::render {
 namespace {
 
-// Chosen by eye. Azimuth 125 deg looks back and to the left: the robot comes towards the viewer
-// and to the right, and both a sideways and a forward push show their length.
-constexpr double kAzimuth_deg = 125.0;
+// Chosen by eye. From the front and the robot's right: it comes towards the viewer, and both a
+// sideways and a forward push show their length.
+constexpr double kAzimuth_deg = 145.0;
 constexpr double kElevation_deg = -17.0;
-constexpr double kDistancePerComHeight = 4.6;
+constexpr double kDistancePerComHeight = 3.7;
 constexpr double kLookAtPerComHeight = 0.85;
-constexpr double kSmoothing_s = 0.6;       // half the averaging window
+constexpr double kSmoothing_s = 0.6;  // half the averaging window
 constexpr double kTypicalAspect = 4.0 / 3.0;
-constexpr double kFixedMargin = 1.1;       // metres of path to metres of distance
+constexpr double kFixedMargin = 1.1;  // metres of path to metres of distance
 
 }  // namespace
 
@@ -27,8 +27,7 @@ CameraPose CameraAt(VideoCamera kind, const std::vector<Eigen::Vector3d>& p_WC, 
   CameraPose camera;
   camera.azimuth_deg = kAzimuth_deg;
   camera.elevation_deg = kElevation_deg;
-  camera.distance_m =
-      kDistancePerComHeight * com_height_m * std::max(1.0, kTypicalAspect / aspect);
+  camera.distance_m = kDistancePerComHeight * com_height_m * std::max(1.0, kTypicalAspect / aspect);
   if (kind == VideoCamera::kFixed) {
     Eigen::Vector3d lower = p_WC.front();
     Eigen::Vector3d upper = p_WC.front();

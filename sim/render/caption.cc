@@ -14,7 +14,7 @@ const Eigen::Vector3f kInvalidGrey{0.40F, 0.40F, 0.42F};
 const Eigen::Vector3f kPushMagenta{0.78F, 0.00F, 0.40F};
 
 constexpr double kFinal_s = 1.0;
-constexpr std::size_t kMaxText = 60;  // characters that fit a 640-pixel frame
+constexpr std::size_t kMaxText = 80;  // characters; the layout cuts what does not fit
 constexpr std::size_t kMaxReasons = 3;
 
 std::string Format(const char* format, double a, double b = 0.0) {
@@ -104,7 +104,7 @@ std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const nlohman
   };
   const std::string name = TextOf(summary, "name");
   if (!name.empty()) add_left(name, kInk);
-  add_left(Format("%6.2f s / %.2f s", row.time_s, end_s), kInk);
+  add_left(Format("%.2f s / %.2f s", row.time_s, end_s), kInk);
   const bool is_pushed = row.push_force_W.norm() > 0.0;
   add_left(PushText(row, summary), is_pushed ? kPushMagenta : kInk);
   AddVerdict(summary, row.time_s > end_s - kFinal_s, &captions);

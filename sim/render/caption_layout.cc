@@ -33,6 +33,14 @@ int Left(CaptionPlace place, const mjrRect& viewport, int margin_px, int width_p
   return viewport.left + (viewport.width - width_px) / 2;
 }
 
+// The caption with its end cut off until it fits; keeps at least one character.
+Caption Fitted(Caption caption, int width_px, const mjrContext& renderer) {
+  while (SizeOf(caption, renderer).width_px > width_px && caption.text.size() > 3) {
+    caption.text.replace(caption.text.size() - 3, 3, "..");
+  }
+  return caption;
+}
+
 void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect viewport,
                const mjrContext& renderer) {
   const int margin_px = std::max(4, viewport.height / 48);
@@ -40,14 +48,15 @@ void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect
   for (const Caption& caption : captions) {
     if (caption.place == place) height_px += SizeOf(caption, renderer).height_px;
   }
-  int top = place == CaptionPlace::kBottom ? viewport.bottom + 2 * margin_px + height_px
+  int top = place == CaptionPlace::kBottom ? viewport.bottom + margin_px + height_px
                                            : viewport.bottom + viewport.height - margin_px;
-  for (const Caption& caption : captions) {
-    if (caption.place != place) continue;
+  for (const Caption& whole : captions) {
+    if (whole.place != place) continue;
+    const Caption caption = Fitted(whole, viewport.width - 2 * margin_px, renderer);
     const TextSize size = SizeOf(caption, renderer);
-    const int width_px = std::min(size.width_px, viewport.width - 2 * margin_px);
     top -= size.height_px;
-    const mjrRect box{Left(place, viewport, margin_px, width_px), top, width_px, size.height_px};
+    const mjrRect box{Left(place, viewport, margin_px, size.width_px), top, size.width_px,
+                      size.height_px};
     const Eigen::Vector3f& color = caption.background;
     mjr_label(box, caption.is_big ? mjFONT_BIG : mjFONT_NORMAL, caption.text.c_str(), color.x(),
               color.y(), color.z(), 0.85F, 1.0F, 1.0F, 1.0F, &renderer);

@@ -16,8 +16,9 @@ constexpr double kPushRadius = 0.028;
 constexpr double kContactRadius = 0.010;
 constexpr double kTraceRadius = 0.007;
 
-constexpr double kNoForce_N = 1e-9;    // logged zeros are exact; this only rejects them
-constexpr double kLoadedShare = 0.02;  // of the longest arrow; shorter ones are specks
+constexpr double kNoForce_N = 1e-9;      // logged zeros are exact; this only rejects them
+constexpr double kShortestBar_m = 1e-6;  // a bar needs a direction
+constexpr double kLoadedShare = 0.02;    // of the longest arrow; shorter ones are specks
 
 }  // namespace
 
@@ -88,7 +89,7 @@ std::vector<Decoration> ContactForceArrows(const StateRow& row, const DrawScale&
 std::vector<Decoration> ComTrace(const std::vector<Eigen::Vector3d>& p_WC, const DrawScale& scale) {
   std::vector<Decoration> lines;
   for (std::size_t i = 1; i < p_WC.size(); ++i) {
-    if ((p_WC[i] - p_WC[i - 1]).norm() < 1e-6) continue;  // a bar needs a direction
+    if ((p_WC[i] - p_WC[i - 1]).norm() <= kShortestBar_m) continue;
     Decoration line;
     line.shape = Shape::kLine;
     line.from = p_WC[i - 1];
@@ -97,6 +98,9 @@ std::vector<Decoration> ComTrace(const std::vector<Eigen::Vector3d>& p_WC, const
     line.color = kComTraceColor;
     line.color.w() *= static_cast<float>(i) / static_cast<float>(p_WC.size());
     lines.push_back(line);
+    line.from.z() = kTraceRadius * scale.com_height_m;
+    line.to.z() = kTraceRadius * scale.com_height_m;
+    if ((line.to - line.from).norm() > kShortestBar_m) lines.push_back(line);
   }
   return lines;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// decoration: what is drawn beside the robot, as plain data: pushes, ground forces, the CoM's trace.
+// decoration: what is drawn beside the robot, as plain data: pushes, ground forces, the CoM's
+// trace.
 //
 // Pure functions from a logged row to shapes in W. Nothing here knows MuJoCo or OpenGL.
 
@@ -15,7 +16,7 @@ namespace sidestep::render {
 using Color = Eigen::Vector4f;  ///< Red, green, blue, alpha in 0..1.
 
 // Okabe and Ito's palette, which colour-blind people can tell apart; magenta is kept for pushes.
-inline const Color kPushColor{1.00F, 0.00F, 0.50F, 1.0F};
+inline const Color kPushColor{0.90F, 0.00F, 0.40F, 1.0F};
 inline const Color kContactForceColor{0.00F, 0.62F, 0.45F, 0.85F};
 inline const Color kNominalColor{0.35F, 0.37F, 0.40F, 0.9F};
 inline const Color kComTraceColor{0.34F, 0.71F, 0.91F, 0.9F};
@@ -42,9 +43,9 @@ struct Decoration {
 
 /// Sizes that suit a robot: everything drawn scales with its CoM height.
 struct DrawScale {
-  double com_height_m{0.5};      ///< Of the robot at the log's start.
-  double push_m_per_N{0.0};      ///< Arrow length per force; the run's largest push is longest.
-  double contact_m_per_N{0.0};   ///< Likewise for the ground's forces.
+  double com_height_m{0.5};     ///< Of the robot at the log's start.
+  double push_m_per_N{0.0};     ///< Arrow length per force; the run's largest push is longest.
+  double contact_m_per_N{0.0};  ///< Likewise for the ground's forces.
 };
 
 /// The scale for a whole log, so that arrows of one run compare.
@@ -57,7 +58,8 @@ std::vector<Decoration> PushArrow(const StateRow& row, const DrawScale& scale);
 /// A thin arrow per foot that bears load, from the ground upwards.
 std::vector<Decoration> ContactForceArrows(const StateRow& row, const DrawScale& scale);
 
-/// A line through past positions of the CoM, oldest first, fading to the oldest.
+/// A line through past positions of the CoM, oldest first, fading to the oldest; and the same on
+/// the floor, where the robot does not hide it.
 std::vector<Decoration> ComTrace(const std::vector<Eigen::Vector3d>& p_WC, const DrawScale& scale);
 
 }  // namespace sidestep::render

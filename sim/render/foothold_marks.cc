@@ -11,9 +11,9 @@ constexpr double kOutlineHalfWidth = 0.006;
 constexpr double kPointHalfSize = 0.05;  // half side of a point foot's mark
 constexpr double kPlateHalfThickness = 0.0015;
 
-constexpr double kSamePlace_m = 1e-4;   // a foothold closer than this is the same one
-constexpr double kMoved_m = 0.003;      // less than this is not worth a line
-constexpr double kOldestAlpha = 0.15;   // of a mark about to vanish
+constexpr double kSamePlace_m = 1e-4;  // a foothold closer than this is the same one
+constexpr double kMoved_m = 0.003;     // less than this is not worth a line
+constexpr double kOldestAlpha = 0.15;  // of a mark about to vanish
 
 struct Mark {
   std::size_t foot{0};

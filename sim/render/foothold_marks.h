@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// foothold_marks: nominal footholds as grey outlines, adjusted ones as coloured plates on the floor.
+// foothold_marks: nominal footholds as grey outlines, adjusted ones as coloured plates on the
+// floor.
 
 #include <Eigen/Core>
 #include <string>

@@ -10,7 +10,7 @@
 namespace sidestep::render {
 namespace {
 
-constexpr double kTrace_s = 1.0;         // how far back the CoM's trace goes
+constexpr double kTrace_s = 1.0;  // how far back the CoM's trace goes
 constexpr double kTraceSpacing_s = 0.04;
 constexpr double kFootholdMemory_s = 2.0;
 

@@ -20,9 +20,8 @@ OffscreenContext::OffscreenContext() : window_(kWindow_px * kWindow_px * 4) {
   // Frames are shared out between processes; threads inside Mesa would only compete with them.
   setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
   context_ = OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, kStencilBits, 0, nullptr);
-  if (context_ == nullptr ||
-      OSMesaMakeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE, kWindow_px, kWindow_px) !=
-          GL_TRUE) {
+  if (context_ == nullptr || OSMesaMakeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE,
+                                               kWindow_px, kWindow_px) != GL_TRUE) {
     if (context_ != nullptr) OSMesaDestroyContext(context_);
     throw ConfigError("can't create an off-screen OpenGL context (is libosmesa6 installed?)");
   }

@@ -45,8 +45,8 @@ void CheckOptions(const RenderOptions& options) {
   const bool is_even = options.width_px % 2 == 0 && options.height_px % 2 == 0;
   if (options.width_px < 2 || options.height_px < 2 || !is_even || options.fps < 1) {
     throw ConfigError("a video needs an even width and height and at least 1 frame a second, got " +
-                      std::to_string(options.width_px) + " x " +
-                      std::to_string(options.height_px) + " at " + std::to_string(options.fps));
+                      std::to_string(options.width_px) + " x " + std::to_string(options.height_px) +
+                      " at " + std::to_string(options.fps));
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMaxShapes = 2000;
 constexpr double kFieldOfView_deg = 40.0;   // narrower than MuJoCo's 45: less distortion
-constexpr float kShadowHalfWidth_m = 2.5F;  // a small map over a small square stays sharp
+constexpr float kShadowHalfWidth_m = 1.6F;  // a small map over a small square stays sharp
 constexpr float kArrowGlow = 0.6F;          // arrows keep their colour on the shaded side
 
 struct QualitySettings {
@@ -44,9 +44,9 @@ void ApplyQuality(const RenderOptions& options, mjModel* model) {
 }
 
 int FontScale(int height_px) {
-  if (height_px < 360) return mjFONTSCALE_50;
-  if (height_px < 600) return mjFONTSCALE_100;
-  return height_px < 900 ? mjFONTSCALE_150 : mjFONTSCALE_200;
+  if (height_px < 240) return mjFONTSCALE_50;
+  if (height_px < 480) return mjFONTSCALE_100;
+  return height_px < 720 ? mjFONTSCALE_150 : mjFONTSCALE_200;
 }
 
 }  // namespace
@@ -68,8 +68,8 @@ SceneRenderer::SceneRenderer(mjModel* model, const RenderOptions& options)
   mjr_makeContext(model_, &renderer_, FontScale(options.height_px));
   mjr_setBuffer(mjFB_OFFSCREEN, &renderer_);
   const mjrRect largest = mjr_maxViewport(&renderer_);
-  const bool fits = renderer_.currentBuffer == mjFB_OFFSCREEN &&
-                    largest.width >= viewport_.width && largest.height >= viewport_.height;
+  const bool fits = renderer_.currentBuffer == mjFB_OFFSCREEN && largest.width >= viewport_.width &&
+                    largest.height >= viewport_.height;
   if (!fits) {
     mjr_freeContext(&renderer_);
     mjv_freeScene(&scene_);
@@ -127,6 +127,8 @@ void SceneRenderer::AddDecoration(const Decoration& decoration) {
       const Eigen::Vector3d& a = decoration.from;
       const Eigen::Vector3d& b = decoration.to;
       mjv_makeConnector(geom, type, radius_m, a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
+      // MuJoCo 2.2 draws an arrow from its origin to half its length.
+      if (type == mjGEOM_ARROW) geom->size[2] *= 2.0F;
       break;
     }
     case Shape::kSlab:
@@ -145,7 +147,8 @@ void SceneRenderer::AddDecoration(const Decoration& decoration) {
   geom->objid = -1;
   geom->emission = decoration.shape == Shape::kSlab ? 0.2F : kArrowGlow;
   geom->specular = 0.0F;
-  decoration.label.copy(geom->label, sizeof geom->label - 1);
+  const std::size_t length = decoration.label.copy(geom->label, sizeof geom->label - 1);
+  geom->label[length] = '\0';
 }
 
 }  // namespace sidestep::render

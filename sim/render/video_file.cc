@@ -10,11 +10,14 @@ namespace sidestep::render {
 namespace {
 
 std::vector<std::string> RawInput(int width_px, int height_px, int fps) {
-  return {"ffmpeg",     "-hide_banner", "-loglevel", "error",
-          "-nostdin",   "-y",           "-f",        "rawvideo",
-          "-pix_fmt",   "rgb24",        "-s",        std::to_string(width_px) + "x" +
-                                                  std::to_string(height_px),
-          "-framerate", std::to_string(fps), "-i",   "pipe:0",
+  return {"ffmpeg",     "-hide_banner",
+          "-loglevel",  "error",
+          "-nostdin",   "-y",
+          "-f",         "rawvideo",
+          "-pix_fmt",   "rgb24",
+          "-s",         std::to_string(width_px) + "x" + std::to_string(height_px),
+          "-framerate", std::to_string(fps),
+          "-i",         "pipe:0",
           "-vf",        "vflip"};
 }
 
@@ -64,9 +67,9 @@ void JoinVideos(const std::vector<std::filesystem::path>& parts,
 
 void WritePng(const std::vector<std::uint8_t>& pixels, int width_px, int height_px,
               const std::filesystem::path& file) {
-  Process ffmpeg(With(RawInput(width_px, height_px, 1),
-                      {"-frames:v", "1", "-c:v", "png", "-f", "image2", "-update", "1",
-                       FileOperand(file)}));
+  Process ffmpeg(
+      With(RawInput(width_px, height_px, 1),
+           {"-frames:v", "1", "-c:v", "png", "-f", "image2", "-update", "1", FileOperand(file)}));
   ffmpeg.Write(pixels.data(), pixels.size());
   const ProcessResult result = ffmpeg.Finish();
   if (result.exit_code != 0) throw ConfigError(DescribeFailure("ffmpeg", result));

@@ -12,10 +12,10 @@ namespace sidestep::testing {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kHip_m = 0.5;      // trunk's origin above the floor
+constexpr double kHip_m = 0.5;  // trunk's origin above the floor
 constexpr double kMass_kg = 20.0;
-constexpr double kWidth_m = 0.16;   // between the feet
-constexpr double kSwing_s = 0.2;    // after the push the right foot swings this long
+constexpr double kWidth_m = 0.16;  // between the feet
+constexpr double kSwing_s = 0.2;   // after the push the right foot swings this long
 constexpr double kMpcPeriod_s = 0.05;
 
 constexpr const char* kToyLeg = R"(
@@ -127,7 +127,10 @@ std::vector<FootNow> FeetAt(const Moment& moment) {
   left.f_F_W.z() += share * weight_N;
   FootNow right{"right",
                 RightFoot(false) + moment.swing * (RightAdjusted(true) - RightFoot(false)) + lift,
-                Eigen::Vector3d::Zero(), RightFoot(next), RightAdjusted(next), !moment.is_swinging};
+                Eigen::Vector3d::Zero(),
+                RightFoot(next),
+                RightAdjusted(next),
+                !moment.is_swinging};
   if (right.is_down) right.f_F_W = sideways + Eigen::Vector3d(0, 0, 0.5 * weight_N);
   return {left, right};
 }
@@ -200,10 +203,8 @@ Row TrajectoryRow(double time_s, const Moment& moment) {
 void WriteStates(const std::filesystem::path& dir, const SyntheticRun& run, long rows) {
   std::ofstream states(dir / "states.bin", std::ios::binary);
   const int row_doubles = 1 + 13 + 6 + 2 * 12;
-  const nlohmann::json header{{"nq", 13},
-                              {"feet", {"left", "right"}},
-                              {"row_doubles", row_doubles},
-                              {"dt_s", run.dt_s}};
+  const nlohmann::json header{
+      {"nq", 13}, {"feet", {"left", "right"}}, {"row_doubles", row_doubles}, {"dt_s", run.dt_s}};
   states << "sidestep-states 1\n" << header.dump() << "\n";
   std::ofstream trajectory(dir / "trajectory.csv");
   trajectory.precision(17);
@@ -262,16 +263,31 @@ nlohmann::json SummaryOf(const SyntheticRun& run) {
       {"verdict", run.verdict},
       {"reasons", nlohmann::json::array()},
       {"expectations",
-       {{{"metric", "fall"}, {"min", nullptr}, {"max", nullptr}, {"is", false},
-         {"measured", is_fail}, {"pass", !is_fail}},
-        {{"metric", "mean_step_adjustment_m"}, {"min", 0.01}, {"max", 0.1}, {"is", nullptr},
-         {"measured", 0.0539}, {"pass", true}}}},
+       {{{"metric", "fall"},
+         {"min", nullptr},
+         {"max", nullptr},
+         {"is", false},
+         {"measured", is_fail},
+         {"pass", !is_fail}},
+        {{"metric", "mean_step_adjustment_m"},
+         {"min", 0.01},
+         {"max", 0.1},
+         {"is", nullptr},
+         {"measured", 0.0539},
+         {"pass", true}}}},
       {"metrics", {{"fall", is_fail}, {"mean_step_adjustment_m", 0.0539}, {"max_tilt_rad", 0.08}}},
       {"pushes",
-       {{{"body", "trunk"}, {"start_s", run.push_start_s}, {"duration_s", run.push_duration_s},
-         {"impulse_Ns", impulse_Ns}, {"impulse_per_mass_mps", impulse_Ns / kMass_kg}}}},
+       {{{"body", "trunk"},
+         {"start_s", run.push_start_s},
+         {"duration_s", run.push_duration_s},
+         {"impulse_Ns", impulse_Ns},
+         {"impulse_per_mass_mps", impulse_Ns / kMass_kg}}}},
       {"solve_time_ms",
-       {{"p50", 5.4}, {"p99", 6.8}, {"max", 6.8}, {"deadline", 50.0}, {"misses", 0},
+       {{"p50", 5.4},
+        {"p99", 6.8},
+        {"max", 6.8},
+        {"deadline", 50.0},
+        {"misses", 0},
         {"count", 10}}},
       {"versions", {{"mujoco", "2.2.2"}, {"eigen", "3.4.0"}}},
       {"seed", 1},

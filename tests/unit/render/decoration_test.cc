@@ -104,9 +104,11 @@ TEST(ContactForceArrowsTest, OnlyLoadedFeetHaveOneAndItPointsAlongTheForce) {
 
 TEST(ComTraceTest, ItJoinsSuccessivePointsAndFadesToTheOldest) {
   const auto lines = ComTrace({{0, 0, 1}, {0.1, 0, 1}, {0.1, 0, 1}, {0.2, 0, 1}}, DrawScale{});
-  ASSERT_EQ(lines.size(), 2U) << "a bar without length has no direction";
-  EXPECT_LT(lines[0].color.w(), lines[1].color.w());
-  EXPECT_TRUE(lines[1].to.isApprox(Eigen::Vector3d(0.2, 0, 1)));
+  ASSERT_EQ(lines.size(), 4U) << "two in the air, two on the floor; the third has no length";
+  EXPECT_LT(lines[0].color.w(), lines[2].color.w());
+  EXPECT_TRUE(lines[2].to.isApprox(Eigen::Vector3d(0.2, 0, 1)));
+  EXPECT_NEAR(lines[3].to.x(), 0.2, 1e-12);
+  EXPECT_LT(lines[3].to.z(), 0.02);
 }
 
 class FootholdMarksTest : public ::testing::Test {
@@ -132,9 +134,8 @@ TEST_F(FootholdMarksTest, TheNextFootholdIsMarkedWhereItWasMovedTo) {
 
 TEST_F(FootholdMarksTest, AMovedFootholdHasALineFromItsNominalPlace) {
   const auto marks = Marks({});
-  const auto line = std::find_if(marks.begin(), marks.end(), [](const Decoration& mark) {
-    return mark.shape == Shape::kLine;
-  });
+  const auto line = std::find_if(marks.begin(), marks.end(),
+                                 [](const Decoration& mark) { return mark.shape == Shape::kLine; });
   ASSERT_NE(line, marks.end());
   EXPECT_TRUE((line->to - line->from).isApprox(Eigen::Vector3d(0.04, 0.02, 0.0)));
   row_.feet[0].adjusted_p_WF = row_.feet[0].nominal_p_WF;

@@ -59,8 +59,7 @@ TEST(CameraTest, TheFollowCameraDoesNotJumpWithTheRobot) {
   double largest_m = 0.0;
   double before_m = 0.0;
   for (std::size_t row = 0; row < 400; ++row) {
-    const double y =
-        CameraAt(VideoCamera::kFollow, p_WC, 0.01, row, 0.6, 4.0 / 3.0).look_at_W.y();
+    const double y = CameraAt(VideoCamera::kFollow, p_WC, 0.01, row, 0.6, 4.0 / 3.0).look_at_W.y();
     largest_m = std::max(largest_m, std::abs(y - before_m));
     before_m = y;
   }
