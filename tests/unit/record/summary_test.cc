@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/record/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/record/record_test_support.h"
+
+namespace sidestep {
+namespace {
+
+nlohmann::json Summary(const RunOutcome& outcome, const RunFacts& facts = {}) {
+  return nlohmann::json::parse(SummaryJson(TwoFeetScenario(), outcome, facts));
+}
+
+TEST(SummaryTest, WhatIsNotFiniteIsNull) {
+  RunOutcome outcome;
+  outcome.metrics = {{"recovery_time_s", std::numeric_limits<double>::infinity()},
+                     {"fall_time_s", std::numeric_limits<double>::quiet_NaN()},
+                     {"energy_J", 0.1},
+                     {"fall", false}};
+  const nlohmann::json metrics = Summary(outcome).at("metrics");
+  EXPECT_TRUE(metrics.at("recovery_time_s").is_null());
+  EXPECT_TRUE(metrics.at("fall_time_s").is_null());
+  EXPECT_EQ(metrics.at("energy_J"), 0.1);
+  EXPECT_EQ(metrics.at("fall"), false);
+}
+
+TEST(SummaryTest, TellsVerdictReasonsAndExpectations) {
+  RunOutcome outcome;
+  outcome.verdict.verdict_class = VerdictClass::kFail;
+  outcome.verdict.reasons = {{reason::kFall, "it fell", 1.5},
+                             {reason::kExpectation, "not met", std::nullopt}};
+  outcome.verdict.expectations = {{{"max_slip_m", {}, 0.05, {}}, 0.07, false},
+                                  {{"fall", {}, {}, true}, true, true}};
+  const nlohmann::json summary = Summary(outcome);
+  EXPECT_EQ(summary.at("verdict"), "FAIL");
+  EXPECT_EQ(summary.at("reasons")[0],
+            nlohmann::json::parse(R"({"class": "FALL", "text": "it fell", "time_s": 1.5})"));
+  EXPECT_TRUE(summary.at("reasons")[1].at("time_s").is_null());
+  EXPECT_EQ(summary.at("expectations")[0],
+            nlohmann::json::parse(R"({"metric": "max_slip_m", "min": null, "max": 0.05,
+                                      "is": null, "measured": 0.07, "pass": false})"));
+  EXPECT_EQ(summary.at("expectations")[1].at("measured"), true);
+}
+
+TEST(SummaryTest, PushesTellImpulseAndImpulseOverMass) {
+  const Scenario scenario = TwoFeetScenario();
+  RunOutcome outcome;
+  outcome.mass_kg = 2.0;
+  outcome.pushes = {{scenario.pushes[0], {0.0, 3.0, 4.0}}};
+  const nlohmann::json push = Summary(outcome).at("pushes")[0];
+  EXPECT_EQ(push.at("body"), "com");
+  EXPECT_EQ(push.at("duration_s"), 0.05);
+  EXPECT_EQ(push.at("impulse_Ns"), 5.0);
+  EXPECT_EQ(push.at("impulse_per_mass_mps"), 2.5);
+}
+
+TEST(SummaryTest, PercentilesAreSamplesAndMissesExceedTheDeadline) {
+  std::vector<double> solve_ms;
+  for (int i = 200; i >= 1; --i) solve_ms.push_back(i);
+  const SolveTimes times = SummariseSolveTimes(solve_ms, 150.0);
+  EXPECT_EQ(times.p50_ms, 100.0);
+  EXPECT_EQ(times.p99_ms, 198.0);
+  EXPECT_EQ(times.max_ms, 200.0);
+  EXPECT_EQ(times.misses, 50);
+  EXPECT_EQ(times.count, 200);
+  EXPECT_EQ(SummariseSolveTimes({7.0}, 10.0).p99_ms, 7.0);
+}
+
+TEST(SummaryTest, RunWithoutASolveHasNoTimes) {
+  const nlohmann::json times = Summary({}).at("solve_time_ms");
+  EXPECT_TRUE(times.at("p50").is_null());
+  EXPECT_EQ(times.at("count"), 0);
+  EXPECT_EQ(times.at("deadline"), 100.0) << "10 solves a second by default";
+}
+
+TEST(SummaryTest, TellsHowTheRunWasMade) {
+  const nlohmann::json summary = Summary({}, {{"sidestep", "run", "a\xff.yaml"}, {}, 3.0, 1.5});
+  EXPECT_EQ(summary.at("command")[1], "run");
+  EXPECT_EQ(summary.at("real_time_factor"), 2.0);
+  EXPECT_EQ(summary.at("seed"), 1);
+  EXPECT_EQ(summary.at("sidestep"), summary.at("versions").at("sidestep"));
+  for (const char* name : {"mujoco", "ipopt", "eigen", "compiler"}) {
+    EXPECT_FALSE(summary.at("versions").at(name).get<std::string>().empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace sidestep
