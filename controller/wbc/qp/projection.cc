@@ -32,11 +32,11 @@ Projection::Projection(int max_dimension, int max_rows)
       lower_(max_rows),
       upper_(max_rows),
       slack_(max_rows),
-      target_(max_dimension),
       y_(max_dimension),
       values_(max_rows),
       q_(max_dimension, max_dimension),
       r_(max_dimension, max_dimension),
+      rotated_target_(max_dimension),
       row_(max_dimension),
       sign_(max_dimension),
       multiplier_(max_dimension),
@@ -50,6 +50,7 @@ void Projection::Reset(int dimension, int rows) {
   rows_ = rows;
   active_ = 0;
   q_.topLeftCorner(dimension, dimension).setIdentity();
+  rotated_target_.head(dimension).setZero();
   is_skipped_.head(rows).setConstant(false);
 }
 
@@ -87,6 +88,8 @@ bool Projection::Append(int row, double sign) {
   for (int j = 0; j < rest; ++j) {
     free_columns.col(j) -= (tau * tail(j)) * product;
   }
+  auto target_tail = rotated_target_.segment(active_, rest);
+  target_tail -= (tau * tail.dot(target_tail)) * tail;
   r_.col(active_).head(active_) = rotated_.head(active_);
   r_(active_, active_) = beta;
   row_(active_) = row;
@@ -110,22 +113,21 @@ void Projection::Remove(int k) {
     rotation.makeGivens(r_(j, j), r_(j + 1, j));
     r_.block(0, j, active_ + 1, active_ - j).applyOnTheLeft(j, j + 1, rotation.adjoint());
     q_.topRows(dimension_).applyOnTheRight(j, j + 1, rotation);
+    rotated_target_.applyOnTheLeft(j, j + 1, rotation.adjoint());
   }
 }
 
 // Recomputes y and multipliers from the active set alone: no error builds up over the steps.
 void Projection::SolveActiveSet() {
   const int rest = dimension_ - active_;
-  const auto q = q_.topLeftCorner(dimension_, dimension_);
-  auto rotated_target = buffer_.head(dimension_);
-  rotated_target.noalias() = q.transpose() * target_.head(dimension_);
+  const auto rotated_target = rotated_target_.head(dimension_);
   auto coordinates = rotated_.head(dimension_);
   coordinates.tail(rest) = rotated_target.tail(rest);
   for (int k = 0; k < active_; ++k) {
     const double known = r_.col(k).head(k).dot(coordinates.head(k));
     coordinates(k) = (BoundOf(row_(k), sign_(k)) - known) / r_(k, k);
   }
-  y_.head(dimension_).noalias() = q * coordinates;
+  y_.head(dimension_).noalias() = q_.topLeftCorner(dimension_, dimension_) * coordinates;
   auto remaining = coefficients_.head(active_);
   remaining = coordinates.head(active_) - rotated_target.head(active_);
   for (int k = active_ - 1; k >= 0; --k) {
@@ -209,12 +211,12 @@ Projection::Step Projection::StepTowards(int row, double sign, double& new_multi
   const double step = std::min(dual_step, primal_step);
   multiplier_.head(active_) -= step * coefficients;
   new_multiplier += step;
+  if (primal_step <= dual_step) {  // y is recomputed with the row active
+    return Append(row, sign) ? Step::kFull : Step::kIgnored;
+  }
   if (std::isfinite(primal_step)) {
     y_.head(dimension_).noalias() +=
         step * (q_.block(0, active_, dimension_, rest) * rotated.tail(rest));
-  }
-  if (primal_step <= dual_step) {
-    return Append(row, sign) ? Step::kFull : Step::kIgnored;
   }
   Remove(blocking);
   return Step::kDropped;
@@ -246,7 +248,8 @@ ProjectionStatus Projection::Enforce(int row, int max_changes) {
 
 ProjectionStatus Projection::Solve(const ConstVectorRef& target, int max_changes) {
   changes_ = 0;
-  target_.head(dimension_) = target;
+  rotated_target_.head(dimension_).noalias() =
+      q_.topLeftCorner(dimension_, dimension_).transpose() * target;
   is_skipped_.head(rows_).setConstant(false);
   for (int k = 0; k < active_; ++k) {
     is_skipped_(row_(k)) = true;

@@ -67,9 +67,10 @@ class Projection {
   int changes_{0};
   Eigen::MatrixXd normals_;
   Eigen::VectorXd lower_, upper_, slack_;
-  Eigen::VectorXd target_, y_, values_;
+  Eigen::VectorXd y_, values_;
   // Active rows as sign * n' y >= bound; their normals are Q [R; 0].
   Eigen::MatrixXd q_, r_;
+  Eigen::VectorXd rotated_target_;  // Q' y_0, turned along with Q
   Eigen::VectorXi row_;
   Eigen::VectorXd sign_, multiplier_;
   Eigen::VectorXd rotated_;       // Q' times the normal being added

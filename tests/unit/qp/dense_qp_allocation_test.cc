@@ -45,14 +45,15 @@ int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size
 }
 
 // Their malloc is the wrapped one: one count an allocation.
-void* operator new(std::size_t size) {
+// Not inlined: GCC would see malloc on one side of a pair only and warn of a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) {
     return memory;
   }
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace sidestep::wbc {
 namespace {
