@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "controller/wbc/qp/dense_qp.h"
@@ -58,8 +57,8 @@ TEST_P(DenseQpIpoptTest, CostAndPointAgreeWithIpopt) {
     }
   }
   RecordProperty("compared", compared);
-  RecordProperty("worst_cost_error", std::to_string(worst_cost));
-  std::printf("compared %d worst cost %.2e worst point %.2e\n", compared, worst_cost, worst_point);
+  RecordProperty("worst_cost_error_e12", static_cast<int>(1e12 * worst_cost));
+  RecordProperty("worst_point_error_e12", static_cast<int>(1e12 * worst_point));
   EXPECT_GE(compared, problems * 9 / 10) << "Ipopt gave up too often for a comparison";
 }
 

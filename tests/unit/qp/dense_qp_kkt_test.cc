@@ -88,8 +88,7 @@ TEST_P(DenseQpFamilyTest, TheSameProblemTwiceGivesTheSameBits) {
 }
 
 TEST_P(DenseQpFamilyTest, ContradictionHiddenInASumOfRowsIsInfeasible) {
-  // Two new rows: w'x <= c - 0.01 and w'x - (sum of three active directions) ... reduces to a pair
-  // of bounds that only together with a third row leave nothing.
+  // u'x >= c_u, v'x >= c_v and (u + v)'x <= c_u + c_v - 0.001: any two of them can be met.
   DenseQpDimensions maxima = RandomQpMaxima();
   maxima.inequalities += 3;
   DenseQpSolver solver(maxima);
@@ -100,7 +99,7 @@ TEST_P(DenseQpFamilyTest, ContradictionHiddenInASumOfRowsIsInfeasible) {
     const Eigen::Index m = problem.lower.size();
     const Eigen::VectorXd middle = solver.Solve(problem).x;
     problem.C.conservativeResize(m + 3, n);
-    problem.C.bottomRows(2 + 1) = numbers.NormalMatrix(3, n);
+    problem.C.bottomRows(3) = numbers.NormalMatrix(3, n);
     problem.C.row(m + 2) = problem.C.row(m) + problem.C.row(m + 1);
     const Eigen::VectorXd values = problem.C.bottomRows(3) * middle;
     problem.lower.conservativeResize(m + 3);
