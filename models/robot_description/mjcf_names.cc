@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
+#include <charconv>
+#include <system_error>
 
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
@@ -13,19 +14,45 @@
 namespace sidestep {
 namespace {
 
+/// Lines joined by "; ", without blanks around the joints.
+std::string InOneLine(const std::string& text) {
+  std::string joined;
+  for (const char c : text) {
+    if (c == '\n') {
+      joined.erase(joined.find_last_not_of(" ;:") + 1);
+      joined += "; ";
+    } else if (c != ' ' || !joined.ends_with(' ')) {
+      joined += c;
+    }
+  }
+  joined.erase(joined.find_last_not_of(" ;:") + 1);
+  return joined;
+}
+
+/// Cuts `word`, blanks, '=' and a number out of `text` and returns the number, 0 if there is none.
+int CutNumber(const std::string& word, std::string* text) {
+  const std::size_t start = text->find(word);
+  if (start == std::string::npos) return 0;
+  const std::size_t digits = text->find_first_not_of(" =", start + word.size());
+  if (digits == std::string::npos) return 0;
+  int number = 0;
+  const char* const last = text->data() + text->size();
+  const auto [end, error] = std::from_chars(text->data() + digits, last, number);
+  if (error != std::errc()) return 0;
+  text->erase(start, static_cast<std::size_t>(end - text->data()) - start);
+  return number;
+}
+
 /// MuJoCo's message in one line, with its place where we put ours. Its compiler says
 /// "line = 3, column = 7", its schema check "line 3, column 7", its XML parser "Line number=3";
 /// line 0 and column -1 mean unknown.
 [[noreturn]] void FailToCompile(const std::filesystem::path& mjcf, const std::string& message) {
-  std::string flat = std::regex_replace(message, std::regex("\\s*\\n\\s*"), "; ");
-  const std::regex rule(",?\\s*[Ll]ine(?: number)? ?=? ?(\\d+)(?:, column ?=? ?(-?\\d+))?");
-  int line = 0, column = 0;
-  if (std::smatch place; std::regex_search(flat, place, rule)) {
-    line = std::stoi(place[1]);
-    column = place[2].matched ? std::stoi(place[2]) : 0;
-    flat = place.prefix().str() + place.suffix().str();
+  std::string flat = InOneLine(message);
+  const int column = CutNumber(", column", &flat);
+  int line = 0;
+  for (const char* word : {", line", " Line number", " line"}) {
+    if (line == 0) line = CutNumber(word, &flat);
   }
-  flat.erase(flat.find_last_not_of(" ;:") + 1);
   if (line < 1) throw ConfigError(mjcf.string() + ": error: " + flat);
   throw ConfigError(mjcf.string(), line, std::max(column, 1), flat);
 }

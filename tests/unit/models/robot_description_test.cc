@@ -160,7 +160,7 @@ TEST_F(RobotErrorTest, Keys) {
 
 TEST_F(RobotErrorTest, Mjcf) {
   EXPECT_EQ(ErrorOfMjcf("</mujoco>", ""),
-            "mini.xml:2:1: error: XML parse error 15:; Error=XML_ERROR_PARSING ErrorID=15 (0xf)");
+            "mini.xml:2:1: error: XML parse error 15; Error=XML_ERROR_PARSING ErrorID=15 (0xf)");
   EXPECT_EQ(
       ErrorOfMjcf("<freejoint/>", "<freejont/>"),
       "mini.xml:5:1: error: XML Error: Schema violation: unrecognized element; Element 'freejont'");
@@ -178,7 +178,7 @@ TEST_F(RobotErrorTest, NamesInTellsAnMjcfThatVanished) {
   RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
   robot.mjcf = folder_.path() / "gone.xml";
   EXPECT_EQ(folder_.ErrorOf([&] { NamesIn(robot); }),
-            "gone.xml: error: XML parse error 3:; Error=XML_ERROR_FILE_NOT_FOUND ErrorID=3 (0x3): "
+            "gone.xml: error: XML parse error 3; Error=XML_ERROR_FILE_NOT_FOUND ErrorID=3 (0x3): "
             "filename=gone.xml");
 }
 
