@@ -19,7 +19,7 @@ enum class RenderQuality {
 /// What `sidestep render` may set. Frame size and rate as in the scenario's `video`.
 struct RenderOptions {
   int width_px{640};   ///< Even, as H.264 asks.
-  int height_px{480};  ///< Even.
+  int height_px{480};  ///< Even; frames of less than 240 carry no captions.
   int fps{30};
   VideoCamera camera{VideoCamera::kFollow};
   RenderQuality quality{RenderQuality::kNormal};

@@ -12,9 +12,10 @@ namespace sidestep::render {
 namespace {
 
 constexpr int kMaxShapes = 2000;
-constexpr double kFieldOfView_deg = 40.0;   // narrower than MuJoCo's 45: less distortion
-constexpr float kShadowHalfWidth_m = 1.6F;  // a small map over a small square stays sharp
-constexpr float kArrowGlow = 0.6F;          // arrows keep their colour on the shaded side
+constexpr double kFieldOfView_deg = 40.0;    // narrower than MuJoCo's 45: less distortion
+constexpr float kShadowHalfWidth_m = 1.6F;   // a small map over a small square stays sharp
+constexpr int kLeastCaptionHeight_px = 240;  // in smaller frames words would hide the robot
+constexpr float kArrowGlow = 0.6F;           // arrows keep their colour on the shaded side
 
 struct QualitySettings {
   int shadow_map_px;  // 0: no shadows
@@ -44,7 +45,7 @@ void ApplyQuality(const RenderOptions& options, mjModel* model) {
 }
 
 int FontScale(int height_px) {
-  if (height_px < 240) return mjFONTSCALE_50;
+  if (height_px < 320) return mjFONTSCALE_50;
   if (height_px < 480) return mjFONTSCALE_100;
   return height_px < 720 ? mjFONTSCALE_150 : mjFONTSCALE_200;
 }
@@ -110,7 +111,9 @@ const std::vector<std::uint8_t>& SceneRenderer::Draw(const Eigen::VectorXd& qpos
   }
   for (const Decoration& decoration : content.decorations) AddDecoration(decoration);
   mjr_render(viewport_, &scene_, &renderer_);
-  DrawCaptions(content.captions, viewport_, renderer_);
+  if (viewport_.height >= kLeastCaptionHeight_px) {
+    DrawCaptions(content.captions, viewport_, renderer_);
+  }
   mjr_readPixels(pixels_.data(), nullptr, viewport_, &renderer_);
   return pixels_;
 }
