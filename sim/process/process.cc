@@ -22,7 +22,7 @@ extern char** environ;  // POSIX leaves its declaration to us.
 namespace sidestep {
 namespace {
 
-constexpr std::size_t kQuotedBytes = 2000;  ///< How much of a stderr goes into a message.
+constexpr std::size_t kQuotedBytes = 800;  ///< How much of a stderr goes into a message.
 
 class SpawnActions {
  public:

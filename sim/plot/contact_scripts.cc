@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <sstream>
+
+#include "sim/plot/plot_script.h"
+
+namespace sidestep::plot {
+namespace {
+
+constexpr const char* kFootsteps = "'../footsteps.csv'";
+
+// A gnuplot expression: a column of this foot's rows, undefined in others.
+std::string OfFoot(const std::string& foot, const std::string& expression) {
+  return "(strcol(\"foot\") eq " + Verbatim(foot) + " ? " + expression + " : NaN)";
+}
+
+std::string Column(const std::string& name) { return "(column(\"" + name + "\"))"; }
+
+void AddFootToTopView(const std::string& foot, const std::string& color, std::ostream& script) {
+  script << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
+         << Column("nominal_y_m") << ":"
+         << "(" << Column("nominal_x_m") << "+" << Column("box_lower_x_m") << "):"
+         << "(" << Column("nominal_x_m") << "+" << Column("box_upper_x_m") << "):"
+         << "(" << Column("nominal_y_m") << "+" << Column("box_lower_y_m") << "):"
+         << "(" << Column("nominal_y_m") << "+" << Column("box_upper_y_m") << ")"
+         << " with boxxyerror fillcolor rgb \"" << color
+         << "\" fillstyle transparent solid 0.10 noborder notitle"
+         << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
+         << Column("nominal_y_m") << ":(" << Column("adjusted_x_m") << "-" << Column("nominal_x_m")
+         << "):(" << Column("adjusted_y_m") << "-" << Column("nominal_y_m")
+         << ") with vectors head size screen 0.006,25 filled linecolor rgb \"" << color
+         << "\" linewidth 1 notitle"
+         << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
+         << Column("nominal_y_m")
+         << " with points pointtype 6 pointsize 1.1 linewidth 1.4 linecolor rgb \"" << kNominalColor
+         << "\" notitle"
+         << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("adjusted_x_m")) << ":"
+         << Column("adjusted_y_m") << " with points pointtype 7 pointsize 0.9 linecolor rgb \""
+         << color << "\" title " << Verbatim(foot + ", adjusted") << ", \\\n  " << kFootsteps
+         << " using " << OfFoot(foot, Column("realised_x_m")) << ":" << Column("realised_y_m")
+         << " with points pointtype 2 pointsize 0.7 linewidth 1.2 linecolor rgb \"" << color
+         << "\" notitle";
+}
+
+std::string FootCurve(const std::string& expression, const std::string& color,
+                      const std::string& title) {
+  return "'" + std::string(kThinnedFile) + "' using \"time_s\":(" + expression +
+         ") with lines linecolor rgb \"" + color + "\" linewidth 1.4 " +
+         (title.empty() ? "notitle" : "title " + Verbatim(title));
+}
+
+}  // namespace
+
+std::string TopViewScript(const PlotData& data) {
+  std::ostringstream script;
+  script << "set title " << Verbatim(data.title + ": footsteps and centre of mass from above")
+         << "\nset lmargin at screen 0.10\nset rmargin at screen 0.975\n"
+         << "set bmargin at screen 0.165\nset tmargin at screen 0.93\n"
+         << "set size ratio -1\nset xlabel 'x, forward (m)'\nset ylabel 'y, left (m)'\n"
+         << "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.08\n";
+  script << "plot '" << kThinnedFile << "' using \"reference_p_WC_x_m\":\"reference_p_WC_y_m\" "
+         << "with lines linecolor rgb \"" << kReferenceColor
+         << "\" linewidth 1.6 title 'CoM, reference'"
+         << ", \\\n  '" << kThinnedFile << "' using \"truth_p_WC_x_m\":\"truth_p_WC_y_m\" "
+         << "with lines linecolor rgb \"" << kMpcColor << "\" linewidth 1.6 title 'CoM, true'";
+  if (data.has_footsteps) {
+    for (std::size_t i = 0; i < data.feet.size(); ++i) {
+      AddFootToTopView(data.feet[i], FootColor(i), script);
+    }
+    script << ", \\\n  keyentry with points pointtype 6 linewidth 1.4 linecolor rgb \""
+           << kNominalColor << "\" title 'nominal'"
+           << ", \\\n  keyentry with points pointtype 2 linecolor rgb \"" << kNominalColor
+           << "\" title 'realised'"
+           << ", \\\n  keyentry with boxes fillcolor rgb \"" << kNominalColor
+           << "\" fillstyle transparent solid 0.2 noborder title 'adjustment allowed'";
+  }
+  script << "\n";
+  return script.str();
+}
+
+std::string ContactForceScript(const PlotData& data) {
+  std::string script = StartPanels(data, "force of the ground on each foot", 3, 1);
+  for (const char* axis : {"x", "y", "z"}) {
+    const bool has_key = *axis == 'z';
+    script += std::string("set ylabel '") + axis + " (N)'\n";
+    if (has_key) script += "set xlabel 'time (s)'\n";
+    script += "plot 0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle";
+    for (std::size_t i = 0; i < data.feet.size(); ++i) {
+      const std::string suffix = data.feet[i] + "_" + axis + "_N";
+      const std::string color = "linecolor rgb \"" + FootColor(i) + "\" ";
+      script += ", \\\n  " + Curve("truth_f_F_W_" + suffix, color + "linewidth 1.5",
+                                   has_key ? data.feet[i] + ", true" : "");
+      script += ", \\\n  " + Curve("mpc_f_F_W_" + suffix, color + "linewidth 1.1 dashtype (5,3)",
+                                   has_key ? data.feet[i] + ", planned by the MPC" : "");
+    }
+    if (has_key) script += ", \\\n  " + PushKey(data);
+    script += "\n";
+  }
+  return script + "unset multiplot\n";
+}
+
+std::string AdjustmentScript(const PlotData& data) {
+  std::string script = StartPanels(data, "footholds moved from their nominal place", 2, 1);
+  for (const char* axis : {"x", "y"}) {
+    const bool has_key = *axis == 'y';
+    script += std::string("set ylabel '") + axis + (has_key ? ", left (m)'\n" : ", forward (m)'\n");
+    if (has_key) script += "set xlabel 'time (s)'\n";
+    script += "plot 0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle";
+    for (std::size_t i = 0; i < data.feet.size(); ++i) {
+      const std::string& foot = data.feet[i];
+      const std::string suffix = foot + "_" + axis + "_m";
+      const std::string moved =
+          Column("adjusted_p_WF_" + suffix) + "-" + Column("nominal_p_WF_" + suffix);
+      script += ", \\\n  " +
+                FootCurve(moved, FootColor(i), has_key ? foot + ", current or next contact" : "");
+      if (!data.has_footsteps) continue;
+      const std::string stem = std::string("_") + axis + "_m";
+      script += std::string(", \\\n  ") + kFootsteps + " using " + OfFoot(foot, Column("start_s")) +
+                ":(" + Column("adjusted" + stem) + "-" + Column("nominal" + stem) +
+                "):" + Column("box_lower" + stem) + ":" + Column("box_upper" + stem) +
+                " with yerrorbars pointtype 7 pointsize 0.7 linewidth 0.8 linecolor rgb \"" +
+                FootColor(i) + "\" " +
+                (has_key ? "title " + Verbatim(foot + ", at touch-down, and its box") : "notitle");
+    }
+    if (has_key) script += ", \\\n  " + PushKey(data);
+    script += "\n";
+  }
+  return script + "unset multiplot\n";
+}
+
+}  // namespace sidestep::plot

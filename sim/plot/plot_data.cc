@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/plot/plot_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/support/config_error.h"
+#include "sim/record/run_reader.h"
+
+namespace sidestep::plot {
+namespace {
+
+constexpr std::size_t kMostRows = 2000;  // two samples a pixel of the widest panel
+
+double NumberOf(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+std::string TextOf(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// Columns that the scripts draw. Reading checks that each is there.
+std::vector<std::string> PlottedColumns(const std::vector<std::string>& feet) {
+  std::vector<std::string> columns{"time_s", "truth_tilt_rad"};
+  const auto add_vector = [&](const std::string& stem, const std::string& unit) {
+    for (const char* axis : {"_x_", "_y_", "_z_"}) columns.push_back(stem + axis + unit);
+  };
+  for (const char* point : {"truth_p_WC", "belief_p_WC", "reference_p_WC", "mpc_p_WC"}) {
+    add_vector(point, "m");
+  }
+  for (const char* velocity : {"truth_v_WC", "belief_v_WC", "reference_v_WC", "mpc_v_WC"}) {
+    add_vector(velocity, "mps");
+  }
+  add_vector("truth_h_C_W", "kgm2ps");
+  add_vector("push_force_W", "N");
+  for (const std::string& foot : feet) {
+    add_vector("truth_f_F_W_" + foot, "N");
+    add_vector("mpc_f_F_W_" + foot, "N");
+    add_vector("nominal_p_WF_" + foot, "m");
+    add_vector("adjusted_p_WF_" + foot, "m");
+  }
+  return columns;
+}
+
+std::string Thinned(const CsvTable& trajectory, const std::vector<std::string>& columns) {
+  const std::size_t stride = (trajectory.num_rows() + kMostRows - 1) / kMostRows;
+  std::vector<std::vector<double>> values;
+  std::string csv;
+  for (const std::string& column : columns) {
+    values.push_back(trajectory.Numbers(column));
+    csv += (csv.empty() ? "" : ",") + column;
+  }
+  csv += "\n";
+  char cell[32];
+  for (std::size_t row = 0; row < trajectory.num_rows(); row += stride) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double value = values[i][row];
+      std::snprintf(cell, sizeof cell, "%s%.7g", i == 0 ? "" : ",", value);
+      csv += std::isfinite(value) ? cell : (i == 0 ? "" : ",");  // gnuplot skips empty cells
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+void ReadSummaryInto(const std::filesystem::path& run_dir, PlotData* data) {
+  const nlohmann::json summary = ReadSummary(run_dir);
+  data->title = TextOf(summary, "name") + " (" + TextOf(summary, "verdict") + ")";
+  const auto pushes = summary.find("pushes");
+  if (pushes != summary.end() && pushes->is_array()) {
+    for (const nlohmann::json& push : *pushes) {
+      const double start_s = NumberOf(push, "start_s");
+      data->pushes.push_back({start_s, start_s + NumberOf(push, "duration_s")});
+    }
+  }
+  const auto times = summary.find("solve_time_ms");
+  if (times != summary.end() && times->is_object()) {
+    data->deadline_ms = NumberOf(*times, "deadline");
+    data->p50_ms = NumberOf(*times, "p50");
+    data->p99_ms = NumberOf(*times, "p99");
+  }
+}
+
+}  // namespace
+
+PlotData LoadPlotData(const std::filesystem::path& run_dir) {
+  PlotData data;
+  ReadSummaryInto(run_dir, &data);
+  const CsvTable trajectory = CsvTable::Read(run_dir / "trajectory.csv");
+  if (trajectory.num_rows() == 0) {
+    throw ConfigError((run_dir / "trajectory.csv").string() + ": error: holds no row");
+  }
+  data.feet = FeetOf(trajectory);
+  const std::vector<double> time_s = trajectory.Numbers("time_s");
+  data.start_s = time_s.front();
+  data.end_s = std::max(time_s.back(), time_s.front() + 1e-3);  // an axis needs a length
+  data.thinned_csv = Thinned(trajectory, PlottedColumns(data.feet));
+  data.has_footsteps = !ReadFootsteps(run_dir).empty();
+  data.has_solves = CsvTable::Read(run_dir / "mpc.csv").num_rows() > 0;
+  return data;
+}
+
+}  // namespace sidestep::plot

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/plot/plot_run.h"
+
+#include <fstream>
+
+#include "models/support/config_error.h"
+#include "sim/plot/plot_data.h"
+#include "sim/plot/plot_script.h"
+#include "sim/process/process.h"
+
+namespace sidestep {
+namespace {
+
+void WriteText(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw ConfigError(file.string() + ": error: can't be written");
+}
+
+}  // namespace
+
+const std::vector<std::string>& PlotNames() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (const plot::PlotScript& script : plot::AllScripts()) names.push_back(script.name);
+    return names;
+  }();
+  return kNames;
+}
+
+void PlotRun(const std::filesystem::path& run_dir) {
+  const plot::PlotData data = plot::LoadPlotData(run_dir);
+  const std::filesystem::path dir = run_dir / "plots";
+  std::error_code failure;
+  std::filesystem::create_directories(dir, failure);
+  if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
+  WriteText(dir / plot::kThinnedFile, data.thinned_csv);
+  for (const plot::PlotScript& script : plot::AllScripts()) {
+    const std::string file = script.name + ".gp";
+    WriteText(dir / file, plot::Preamble(script.name) + script.body(data));
+    RunOrThrow({"gnuplot", file}, {}, dir);
+    RunOrThrow({"gnuplot", "-e", "format='png'", file}, {}, dir);
+  }
+}
+
+}  // namespace sidestep

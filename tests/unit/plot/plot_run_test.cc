@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/plot/plot_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+
+#include "models/support/config_error.h"
+#include "sim/plot/plot_script.h"
+#include "sim/process/process.h"
+#include "tests/support/synthetic_run.h"
+
+namespace sidestep {
+namespace {
+
+using ::sidestep::testing::FreshTestDir;
+using ::sidestep::testing::WriteSyntheticRun;
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string ErrorOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool Has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// One run, plotted once for all tests that only look.
+const std::filesystem::path& PlottedRun() {
+  static const std::filesystem::path kDir = [] {
+    auto dir = FreshTestDir("plots");
+    WriteSyntheticRun(dir, {.name = "it's_a_toy", .duration_s = 2.0, .push_start_s = 0.5});
+    PlotRun(dir);
+    return dir;
+  }();
+  return kDir;
+}
+
+TEST(PlotRunTest, EachPlotIsAWholeSvgAndAWholePngOfFullSize) {
+  ASSERT_GE(PlotNames().size(), 6U);
+  for (const std::string& name : PlotNames()) {
+    const std::string svg = TextOf(PlottedRun() / "plots" / (name + ".svg"));
+    EXPECT_GT(svg.size(), 5000U) << name;
+    EXPECT_TRUE(Has(svg, "<svg") && Has(svg, "</svg>")) << name;
+    const std::string png = TextOf(PlottedRun() / "plots" / (name + ".png"));
+    ASSERT_GT(png.size(), 10000U) << name;
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
+    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x03\xe8\0\0\x02\xbc", 8)) << "1000 x 700";
+    EXPECT_TRUE(Has(png, "IEND")) << name;
+  }
+}
+
+TEST(PlotRunTest, PlotsOverTimeShadeThePush) {
+  for (const std::string name : {"com", "contact_forces", "momentum", "step_adjustment"}) {
+    const std::string svg = TextOf(PlottedRun() / "plots" / (name + ".svg"));
+    EXPECT_TRUE(Has(svg, "204,   0, 102") || Has(svg, "#cc0066") || Has(svg, "#CC0066")) << name;
+    EXPECT_TRUE(Has(TextOf(PlottedRun() / "plots" / (name + ".gp")),
+                    "rectangle from 0.5, graph 0 to 0.6, graph 1"))
+        << name;
+  }
+}
+
+TEST(PlotRunTest, TitlesUnitsAndFeetAreWritten) {
+  const auto svg = [](const char* name) {
+    return TextOf(PlottedRun() / "plots" / (std::string(name) + ".svg"));
+  };
+  EXPECT_TRUE(Has(svg("com"), "centre of mass"));
+  EXPECT_TRUE(Has(svg("com"), "(m/s)"));
+  EXPECT_TRUE(Has(svg("top_view"), "left, adjusted"));
+  EXPECT_TRUE(Has(svg("contact_forces"), "right, planned by the MPC"));
+  EXPECT_TRUE(Has(svg("mpc_time"), "deadline"));
+  EXPECT_TRUE(Has(svg("mpc_time"), "iterations"));
+}
+
+TEST(PlotRunTest, AScriptDrawsItsPlotAgainByItself) {
+  const auto plots = PlottedRun() / "plots";
+  const std::string before = TextOf(plots / "com.svg");
+  std::filesystem::remove(plots / "com.svg");
+  RunOrThrow({"gnuplot", "com.gp"}, "", plots);
+  EXPECT_EQ(TextOf(plots / "com.svg").size(), before.size());
+}
+
+TEST(PlotRunTest, ALongRunIsThinned) {
+  const auto dir = FreshTestDir("plots_long");
+  WriteSyntheticRun(dir, {.duration_s = 5.0, .dt_s = 0.001});
+  const std::string csv = plot::LoadPlotData(dir).thinned_csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 1667) << "every third of 5000 rows";
+}
+
+TEST(PlotRunTest, ARunWithoutPushesStepsAndSolvesIsPlotted) {
+  const auto dir = FreshTestDir("plots_bare");
+  WriteSyntheticRun(dir);
+  for (const char* file : {"footsteps.csv", "mpc.csv"}) {
+    const std::string text = TextOf(dir / file);
+    std::ofstream(dir / file) << text.substr(0, text.find('\n') + 1);
+  }
+  std::ofstream(dir / "summary.json") << R"({"name": "bare", "verdict": "PASS"})";
+  PlotRun(dir);
+  EXPECT_GT(TextOf(dir / "plots" / "mpc_time.svg").size(), 2000U);
+}
+
+TEST(PlotRunTest, AMissingFileOrColumnIsNamed) {
+  for (const char* file : {"trajectory.csv", "footsteps.csv", "mpc.csv", "summary.json"}) {
+    const auto dir = FreshTestDir("plots_missing");
+    WriteSyntheticRun(dir);
+    std::filesystem::remove(dir / file);
+    EXPECT_TRUE(Has(ErrorOf([&] { PlotRun(dir); }), (dir / file).string())) << file;
+  }
+  const auto dir = FreshTestDir("plots_column");
+  WriteSyntheticRun(dir);
+  std::ofstream(dir / "trajectory.csv") << "time_s\n0\n";
+  EXPECT_TRUE(Has(ErrorOf([&] { PlotRun(dir); }), "has no column 'truth_tilt_rad'"));
+}
+
+TEST(PlotRunTest, WithoutGnuplotTheErrorSaysSo) {
+  const auto dir = FreshTestDir("plots_no_gnuplot");
+  WriteSyntheticRun(dir);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const std::string error = ErrorOf([&] { PlotRun(dir); });
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_TRUE(Has(error, "can't start gnuplot")) << error;
+}
+
+TEST(PlotScriptTest, ANameCannotEndItsQuotes) {
+  EXPECT_EQ(plot::Verbatim("it's `rm` \"x\"\n"), "'it''s `rm` \"x\"'");
+}
+
+}  // namespace
+}  // namespace sidestep
