@@ -32,12 +32,14 @@ robot: hopper
 duration_s: 0.3
 expect: {fall: false}
 )";
-// Does nothing, and so falls within the time it takes to sink.
+// Does nothing, and so falls once a push takes it off its balance on a point.
 constexpr const char* kFalling = R"(sidestep: 1
 name: falling
 robot: hopper
 duration_s: 3.0
 control: {mode: passive}
+pushes:
+  - {body: trunk, force_N: [0, 5, 0], start_s: 0.1, duration_s: 0.2}
 expect: {fall: false}
 )";
 

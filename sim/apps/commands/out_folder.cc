@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kRunMark = "scenario.yaml";
+constexpr const char* kThinnedFile = "trajectory_thinned.csv";  // in plots/
 constexpr std::array<const char*, 8> kRunFiles{"trajectory.csv", "footsteps.csv", "mpc.csv",
                                                "states.bin",     "summary.json",  "video.mp4",
                                                "report.html",    kRunMark};
@@ -26,8 +27,10 @@ void RemoveRun(const fs::path& folder) {
   const fs::path plots = folder / "plots";
   if (fs::is_directory(plots)) {
     for (const auto& entry : fs::directory_iterator(plots)) {
-      const fs::path extension = entry.path().extension();
-      if (extension == ".svg" || extension == ".png") fs::remove(entry.path());
+      const fs::path file = entry.path();
+      const bool is_ours = file.extension() == ".svg" || file.extension() == ".png" ||
+                           file.extension() == ".gp" || file.filename() == kThinnedFile;
+      if (is_ours) fs::remove(file);
     }
     if (fs::is_empty(plots)) fs::remove(plots);
   }

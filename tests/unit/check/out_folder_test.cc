@@ -23,15 +23,16 @@ TEST(OutFolderTest, AnAbsentFolderIsMadeAndAnEmptyOneTaken) {
 
 TEST(OutFolderTest, ARunIsReplacedOnlyWhenAskedAndForeignFilesStay) {
   const ScratchFolder scratch;
-  for (const char* name : {"scenario.yaml", "summary.json", "trajectory.csv", "video.mp4",
-                           "plots/com.svg", "plots/com.png", "plots/mine.txt", "notes.md"}) {
+  for (const char* name :
+       {"scenario.yaml", "summary.json", "trajectory.csv", "video.mp4", "plots/com.svg",
+        "plots/com.png", "plots/com.gp", "plots/mine.txt", "notes.md"}) {
     scratch.Write(name, "x");
   }
   EXPECT_THROW(PrepareOutFolder(scratch.path(), false), ConfigError);
   EXPECT_TRUE(fs::exists(scratch.path() / "summary.json"));
   PrepareOutFolder(scratch.path(), true);
   for (const char* gone : {"scenario.yaml", "summary.json", "trajectory.csv", "video.mp4",
-                           "plots/com.svg", "plots/com.png"}) {
+                           "plots/com.svg", "plots/com.png", "plots/com.gp"}) {
     EXPECT_FALSE(fs::exists(scratch.path() / gone)) << gone;
   }
   for (const char* kept : {"plots/mine.txt", "notes.md"}) {
