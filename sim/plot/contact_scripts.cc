@@ -91,7 +91,7 @@ std::string ContactForceScript(const PlotData& data) {
       script += ", \\\n  " + Curve("truth_f_F_W_" + suffix, color + "linewidth 1.5",
                                    has_key ? data.feet[i] + ", true" : "");
       script += ", \\\n  " + Curve("mpc_f_F_W_" + suffix, color + "linewidth 1.1 dashtype (5,3)",
-                                   has_key ? data.feet[i] + ", planned by the MPC" : "");
+                                   has_key ? data.feet[i] + ", MPC" : "");
     }
     if (has_key) script += ", \\\n  " + PushKey(data);
     script += "\n";
@@ -111,8 +111,7 @@ std::string AdjustmentScript(const PlotData& data) {
       const std::string suffix = foot + "_" + axis + "_m";
       const std::string moved =
           Column("adjusted_p_WF_" + suffix) + "-" + Column("nominal_p_WF_" + suffix);
-      script += ", \\\n  " +
-                FootCurve(moved, FootColor(i), has_key ? foot + ", current or next contact" : "");
+      script += ", \\\n  " + FootCurve(moved, FootColor(i), has_key ? foot + ", planned" : "");
       if (!data.has_footsteps) continue;
       const std::string stem = std::string("_") + axis + "_m";
       script += std::string(", \\\n  ") + kFootsteps + " using " + OfFoot(foot, Column("start_s")) +
@@ -120,7 +119,7 @@ std::string AdjustmentScript(const PlotData& data) {
                 "):" + Column("box_lower" + stem) + ":" + Column("box_upper" + stem) +
                 " with yerrorbars pointtype 7 pointsize 0.7 linewidth 0.8 linecolor rgb \"" +
                 FootColor(i) + "\" " +
-                (has_key ? "title " + Verbatim(foot + ", at touch-down, and its box") : "notitle");
+                (has_key ? "title " + Verbatim(foot + ", taken (bar: allowed)") : "notitle");
     }
     if (has_key) script += ", \\\n  " + PushKey(data);
     script += "\n";

@@ -81,7 +81,7 @@ TEST(PlotRunTest, TitlesUnitsAndFeetAreWritten) {
   EXPECT_TRUE(Has(svg("com"), "centre of mass"));
   EXPECT_TRUE(Has(svg("com"), "(m/s)"));
   EXPECT_TRUE(Has(svg("top_view"), "left, adjusted"));
-  EXPECT_TRUE(Has(svg("contact_forces"), "right, planned by the MPC"));
+  EXPECT_TRUE(Has(svg("contact_forces"), "right, MPC"));
   EXPECT_TRUE(Has(svg("mpc_time"), "deadline"));
   EXPECT_TRUE(Has(svg("mpc_time"), "iterations"));
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/report/report_style.h"
+
+namespace sidestep::report {
+
+const char* StyleSheet() {
+  return R"(
+:root { color-scheme: light dark; --page: #f5f6f8; --card: #ffffff; --ink: #1b1f24;
+  --soft: #5b6470; --line: #dde1e6; --pass: #0b6e4f; --fail: #b3261e; --other: #5f6368; }
+@media (prefers-color-scheme: dark) {
+  :root { --page: #14171b; --card: #1d2126; --ink: #e8eaed; --soft: #a2abb5; --line: #343a41;
+    --pass: #1f8a66; --fail: #c5413a; --other: #6f757c; } }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--page); color: var(--ink);
+  font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
+main { max-width: 1120px; margin: 0 auto; padding: 28px 20px 60px; }
+article + article { margin-top: 56px; padding-top: 28px; border-top: 2px solid var(--line); }
+h1, h2 { margin: 0 0 8px; font-size: 1.65rem; line-height: 1.25; }
+h3 { margin: 0 0 10px; font-size: 1.02rem; }
+header p { margin: 0 0 8px; color: var(--soft); }
+article > h3 { margin: 28px 0 10px; }
+a { color: inherit; }
+.badge { display: inline-block; padding: 2px 12px; border-radius: 6px; color: #fff;
+  font-size: .62em; font-weight: 700; letter-spacing: .04em; vertical-align: .18em; }
+td .badge { font-size: .8em; vertical-align: 0; }
+.PASS { background: var(--pass); } .FAIL { background: var(--fail); }
+.INVALID { background: var(--other); }
+.met { color: var(--pass); font-weight: 600; } .missed { color: var(--fail); font-weight: 700; }
+@media (prefers-color-scheme: dark) { .met { color: #5fd3a9; } .missed { color: #ff8a80; } }
+.reasons { margin: 4px 0 12px; padding: 10px 14px 10px 30px; background: var(--card);
+  border: 1px solid var(--line); border-left: 4px solid var(--fail); border-radius: 6px; }
+video { display: block; width: 100%; max-width: 800px; margin: 16px auto; border-radius: 10px;
+  background: #000; }
+.cards { display: grid; gap: 16px; margin-top: 18px;
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
+.card, figure, details, .command { background: var(--card); border: 1px solid var(--line);
+  border-radius: 10px; padding: 16px 18px; margin: 0; }
+.plots { display: grid; gap: 16px; }
+figure svg { display: block; width: 100%; height: auto; }
+.scroll { overflow-x: auto; }
+table { width: 100%; border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { padding: 6px 10px 6px 0; text-align: left; vertical-align: top;
+  border-bottom: 1px solid var(--line); }
+thead th { color: var(--soft); font-size: .86em; font-weight: 600; }
+tbody th { font-weight: 500; }
+tbody tr:last-child > * { border-bottom: 0; }
+code, pre { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; }
+.command { margin-bottom: 12px; overflow-x: auto; }
+summary { cursor: pointer; font-weight: 600; }
+pre { overflow-x: auto; margin: 12px 0 0; }
+@media print { body { background: #fff; } video { display: none; } }
+)";
+}
+
+}  // namespace sidestep::report

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/report/write_report.h"
+
+#include <fstream>
+#include <string>
+
+#include "models/support/config_error.h"
+#include "sim/report/html.h"
+#include "sim/report/report_sections.h"
+#include "sim/report/report_style.h"
+#include "sim/report/run_evidence.h"
+
+namespace sidestep {
+namespace {
+
+std::string PageTitle(const std::vector<report::RunEvidence>& runs) {
+  if (runs.size() == 1) return runs.front().name + ": " + runs.front().verdict;
+  return std::to_string(runs.size()) + " runs";
+}
+
+}  // namespace
+
+void WriteReport(const std::vector<std::filesystem::path>& run_dirs,
+                 const std::filesystem::path& out_html) {
+  if (run_dirs.empty()) throw ConfigError("a report needs at least one run folder");
+  std::vector<report::RunEvidence> runs;
+  for (const std::filesystem::path& dir : run_dirs) runs.push_back(report::LoadEvidence(dir));
+
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" +
+                     std::string("<meta name=\"viewport\" content=\"width=device-width\">\n") +
+                     "<title>" + report::Escaped(PageTitle(runs)) + "</title>\n<style>" +
+                     report::StyleSheet() + "</style>\n</head>\n<body>\n<main>\n";
+  if (runs.size() > 1) page += report::ComparisonSection(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) page += report::RunSection(runs[i], i);
+  page += "</main>\n</body>\n</html>\n";
+
+  const std::filesystem::path partial = out_html.string() + ".partial";
+  std::ofstream out(partial, std::ios::binary);
+  out << page;
+  out.close();
+  std::error_code failure;
+  if (out) std::filesystem::rename(partial, out_html, failure);
+  if (!out || failure) throw ConfigError(out_html.string() + ": error: can't be written");
+}
+
+}  // namespace sidestep

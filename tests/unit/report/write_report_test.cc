@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/report/write_report.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "models/support/config_error.h"
+#include "sim/plot/plot_run.h"
+#include "sim/report/html.h"
+#include "sim/report/inline_svg.h"
+#include "tests/support/synthetic_run.h"
+
+namespace sidestep {
+namespace {
+
+using ::sidestep::testing::FreshTestDir;
+using ::sidestep::testing::WriteSyntheticRun;
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool Has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string ErrorOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// The page of one run with plots and (made up) video.
+const std::string& PageOfOne() {
+  static const std::string kPage = [] {
+    const auto dir = FreshTestDir("report_one");
+    WriteSyntheticRun(dir, {.name = "toy <left> & \"right\"", .verdict = "FAIL"});
+    PlotRun(dir);
+    std::ofstream(dir / "video.mp4") << "a film";
+    WriteReport({dir}, dir / "report.html");
+    return TextOf(dir / "report.html");
+  }();
+  return kPage;
+}
+
+TEST(WriteReportTest, EachExpectationIsShownWithWhatWasAskedAndMeasured) {
+  EXPECT_TRUE(Has(PageOfOne(),
+                  "<code>fall</code></th><td>no</td><td>yes</td><td><span class="
+                  "\"missed\">missed</span>"));
+  EXPECT_TRUE(Has(PageOfOne(),
+                  "<code>mean_step_adjustment_m</code></th><td>0.01 to 0.1</td>"
+                  "<td>0.0539</td><td><span class=\"met\">met</span>"));
+}
+
+TEST(WriteReportTest, VerdictReasonPushAndSolveTimesAreShown) {
+  EXPECT_TRUE(Has(PageOfOne(), "<span class=\"badge FAIL\">FAIL</span>"));
+  EXPECT_TRUE(Has(PageOfOne(), "<b>FALL</b> base tilted beyond 1 rad at 0.4 s"));
+  // 40 N for 0.1 s on 20 kg: 4 N s, 0.2 m/s.
+  EXPECT_TRUE(Has(PageOfOne(), "trunk</th><td>0.2</td><td>0.1</td><td>4</td><td>0.2</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "p99 (ms)</th><td>6.8</td>"));
+}
+
+TEST(WriteReportTest, ThePageNeedsNoNetworkNoScriptAndNoOtherFile) {
+  EXPECT_FALSE(Has(PageOfOne(), "http"));
+  EXPECT_FALSE(Has(PageOfOne(), "<script"));
+  EXPECT_FALSE(Has(PageOfOne(), "<link"));
+  EXPECT_FALSE(Has(PageOfOne(), "@import"));
+  const std::regex reference(R"re((src|href|xlink:href)\s*=\s*["']([^"']{0,6}))re");
+  int references = 0;
+  for (std::sregex_iterator at(PageOfOne().begin(), PageOfOne().end(), reference), end; at != end;
+       ++at, ++references) {
+    const std::string target = (*at)[2];
+    EXPECT_TRUE(target.starts_with("#") || target.starts_with("data:")) << target;
+  }
+  EXPECT_GT(references, 10);
+  EXPECT_FALSE(Has(PageOfOne(), "url(h"));
+}
+
+TEST(WriteReportTest, VideoAndPlotsAreInThePage) {
+  EXPECT_TRUE(Has(PageOfOne(), "src=\"data:video/mp4;base64,YSBmaWxt\""));
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = PageOfOne().find("<svg", at)) != std::string::npos; ++at) ++count;
+  EXPECT_EQ(count, PlotNames().size());
+}
+
+TEST(WriteReportTest, NoIdIsUsedTwice) {
+  const std::regex id(R"re( id=["']([^"']+)["'])re");
+  std::set<std::string> seen;
+  for (std::sregex_iterator at(PageOfOne().begin(), PageOfOne().end(), id), end; at != end; ++at) {
+    EXPECT_TRUE(seen.insert((*at)[1]).second) << (*at)[1];
+  }
+  EXPECT_GT(seen.size(), 50U);
+}
+
+TEST(WriteReportTest, ANameIsTextNotMarkup) {
+  EXPECT_TRUE(Has(PageOfOne(), "toy &lt;left&gt; &amp; &quot;right&quot;"));
+  EXPECT_FALSE(Has(PageOfOne(), "<left>"));
+}
+
+TEST(WriteReportTest, TheScenarioAndItsKeySettingsAreShown) {
+  EXPECT_TRUE(Has(PageOfOne(), "<code>duration_s</code></th><td>0.5</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "<pre>sidestep: 1\n"));
+  EXPECT_TRUE(Has(PageOfOne(), "<p>A toy is pushed to the left.</p>"));
+}
+
+TEST(WriteReportTest, SeveralRunsAreComparedFirstThenShownEach) {
+  const auto dir = FreshTestDir("report_two");
+  WriteSyntheticRun(dir / "a", {.name = "weak", .push_force_N = 40.0});
+  WriteSyntheticRun(dir / "b", {.name = "strong", .verdict = "FAIL", .push_force_N = 200.0});
+  WriteReport({dir / "a", dir / "b"}, dir / "report.html");
+  const std::string page = TextOf(dir / "report.html");
+  EXPECT_TRUE(Has(page, "2 runs, 1 passed"));
+  EXPECT_TRUE(Has(page,
+                  "<a href=\"#run1\">strong</a></th><td><span class=\"badge FAIL\">"
+                  "FAIL</span></td><td>1</td>"));
+  EXPECT_LT(page.find("2 runs, 1 passed"), page.find("<article id=\"run0\">"));
+  EXPECT_LT(page.find("<article id=\"run0\">"), page.find("<article id=\"run1\">"));
+}
+
+TEST(WriteReportTest, ARunWithoutVideoAndPlotsIsShownWithoutThem) {
+  const auto dir = FreshTestDir("report_bare");
+  WriteSyntheticRun(dir);
+  WriteReport({dir}, dir / "report.html");
+  const std::string page = TextOf(dir / "report.html");
+  EXPECT_FALSE(Has(page, "<video"));
+  EXPECT_FALSE(Has(page, "<svg"));
+  EXPECT_TRUE(Has(page, "Expectations"));
+}
+
+TEST(WriteReportTest, AMissingFileIsNamedAndAnOldReportStays) {
+  for (const char* file : {"summary.json", "scenario.yaml"}) {
+    const auto dir = FreshTestDir("report_missing");
+    WriteSyntheticRun(dir);
+    std::ofstream(dir / "report.html") << "old";
+    std::filesystem::remove(dir / file);
+    EXPECT_TRUE(Has(ErrorOf([&] { WriteReport({dir}, dir / "report.html"); }),
+                    (dir / file).string() + ": error: can't be read"));
+    EXPECT_EQ(TextOf(dir / "report.html"), "old");
+  }
+}
+
+TEST(WriteReportTest, AReportOfNothingOrToNowhereIsAnError) {
+  const auto dir = FreshTestDir("report_nowhere");
+  WriteSyntheticRun(dir);
+  EXPECT_TRUE(Has(ErrorOf([&] { WriteReport({}, dir / "r.html"); }), "at least one run folder"));
+  EXPECT_TRUE(Has(ErrorOf([&] { WriteReport({dir}, dir / "no" / "r.html"); }),
+                  "r.html: error: can't be written"));
+}
+
+TEST(HtmlTest, Base64PadsToFours) {
+  EXPECT_EQ(report::Base64(""), "");
+  EXPECT_EQ(report::Base64("f"), "Zg==");
+  EXPECT_EQ(report::Base64("fo"), "Zm8=");
+  EXPECT_EQ(report::Base64("foo"), "Zm9v");
+  EXPECT_EQ(report::Base64("\xff\xfe"), "//4=");
+}
+
+TEST(InlineSvgTest, IdsArePrefixedWhereTheyAreMadeAndWhereTheyAreUsed) {
+  const std::string html = report::InlineSvg(
+      "<?xml?><svg xmlns=\"http://x\"><g id='a' fill='black'/><use href='#a'/></svg>\n", "p-",
+      "a plot");
+  EXPECT_EQ(html,
+            "<svg role=\"img\" aria-label=\"a plot\" ><g id='p-a' fill='currentColor'/>"
+            "<use href='#p-a'/></svg>");
+  EXPECT_EQ(report::InlineSvg("not a picture", "p-", "a plot"), "");
+}
+
+}  // namespace
+}  // namespace sidestep
