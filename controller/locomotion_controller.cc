@@ -19,8 +19,11 @@ Tick HorizonTicks(const LocomotionSetup& setup) {
 }
 
 GaitPlanner MakePlanner(const LocomotionSetup& setup) {
-  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()), setup.robot.com_height_m,
-                              setup.robot.feet.front().sole_height_m};
+  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()),
+                              setup.robot.com_height_m,
+                              setup.robot.feet.front().sole_height_m,
+                              setup.control.mpc.box_lower_m,
+                              setup.control.mpc.box_upper_m};
   const Tick horizon = HorizonTicks(setup);
   const Tick end = TickAt(setup.duration_s, setup.tick_s) + 2 * horizon;
   return {BuildNominalGait(setup.gait, geometry, end, setup.tick_s), setup.control.planner, horizon,

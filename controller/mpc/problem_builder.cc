@@ -85,8 +85,8 @@ void ProblemBuilder::FillPhases(std::size_t foot, const std::vector<PlannedConta
     phase.R_WF = contact.R_WF;
     phase.p_WF = contact.adjusted_p_WF;
     phase.nominal_p_WF = contact.nominal_p_WF;
-    phase.box_lower_m = params_.box_lower_m;
-    phase.box_upper_m = params_.box_upper_m;
+    phase.box_lower_m = contact.box_lower_m;
+    phase.box_upper_m = contact.box_upper_m;
     phases.push_back(phase);
     planned_[foot].push_back(contact.index);
   }

@@ -2,11 +2,17 @@
 #include "controller/planner/gait_planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "controller/planner/com_spline.h"
 
 namespace sidestep {
+namespace {
+
+constexpr double kGravity_mps2 = 9.81;  // of the capture point's time constant only
+
+}  // namespace
 
 GaitPlanner::GaitPlanner(NominalGait gait, const PlannerParams& params, Tick horizon, double tick_s)
     : gait_(std::move(gait)),
@@ -38,27 +44,28 @@ Eigen::Vector3d GaitPlanner::Shift(int sequence) const {
                              : Eigen::Vector3d::Zero();
 }
 
-void GaitPlanner::NoteLandings(Tick tick) {
+void GaitPlanner::NoteLandings(const RobotState& state, Tick tick) {
   for (std::size_t foot = 0; foot < gait_.feet.size(); ++foot) {
     auto& contacts = gait_.feet[foot];
     while (landed_[foot] < contacts.size() && contacts[landed_[foot]].contact.start_tick <= tick) {
       NominalContact& landed = contacts[landed_[foot]++];
       landed.landing_shift = Shift(landed.sequence);
-      if (landed.decided) NoteFoothold(landed);
+      shift_[static_cast<std::size_t>(landed.sequence)] = CapturePointError(state, tick);
       last_landing_ = std::max(last_landing_, landed.sequence);
     }
   }
 }
 
-// The path moves with the foothold that was really taken.
-void GaitPlanner::NoteFoothold(const NominalContact& landed) {
-  Eigen::Vector3d& shift = shift_[static_cast<std::size_t>(landed.sequence)];
-  shift = landed.contact.adjusted_p_WF - landed.contact.nominal_p_WF;
-  shift.z() = 0.0;
+Eigen::Vector3d GaitPlanner::CapturePointError(const RobotState& state, Tick tick) const {
+  const ComReference nominal = Reference(tick, false);
+  const double time_constant_s = std::sqrt(nominal.p_WC.z() / kGravity_mps2);
+  Eigen::Vector3d error = state.p_WC - nominal.p_WC + time_constant_s * (state.v_WC - nominal.v_WC);
+  error.z() = 0.0;
+  return error;
 }
 
 const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
-  NoteLandings(tick);
+  NoteLandings(state, tick);
   for (std::size_t foot = 0; foot < gait_.feet.size(); ++foot) {
     auto& contacts = gait_.feet[foot];
     while (first_[foot] + 1 < contacts.size() && contacts[first_[foot]].contact.end_tick <= tick) {
@@ -73,7 +80,6 @@ const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
       const bool begun = nominal.contact.start_tick <= tick;
       if (begun && state.feet[foot].in_contact) {
         nominal.contact.adjusted_p_WF = state.feet[foot].p_WF;
-        NoteFoothold(nominal);
       }
       planned.push_back(nominal.contact);
       planned.back().nominal_p_WF += begun ? nominal.landing_shift : Shift(nominal.sequence);
@@ -90,28 +96,30 @@ void GaitPlanner::SetAdjusted(int foot, int index, const Eigen::Vector3d& p_WF) 
   nominal.decided = true;
 }
 
-ComReference GaitPlanner::KnotState(std::size_t at) const {
+ComReference GaitPlanner::KnotState(std::size_t at, bool shifted) const {
+  const auto place = [&](const ComKnot& knot) -> Eigen::Vector3d {
+    return shifted ? Eigen::Vector3d(knot.p_WC + Shift(knot.sequence)) : knot.p_WC;
+  };
   const ComKnot& knot = gait_.com[at];
   ComReference state;
-  state.p_WC = knot.p_WC + Shift(knot.sequence);
+  state.p_WC = place(knot);
   if (knot.at_rest || at == 0 || at + 1 == gait_.com.size()) return state;
   const ComKnot& before = gait_.com[at - 1];
   const ComKnot& after = gait_.com[at + 1];
-  state.v_WC = (after.p_WC + Shift(after.sequence) - before.p_WC - Shift(before.sequence)) /
-               SecondsAt(after.tick - before.tick, tick_s_);
+  state.v_WC = (place(after) - place(before)) / SecondsAt(after.tick - before.tick, tick_s_);
   return state;
 }
 
-ComReference GaitPlanner::ReferenceAt(Tick tick) const {
+ComReference GaitPlanner::Reference(Tick tick, bool shifted) const {
   const auto next =
       std::upper_bound(gait_.com.begin(), gait_.com.end(), tick,
                        [](Tick value, const ComKnot& knot) { return value < knot.tick; });
-  if (next == gait_.com.begin()) return KnotState(0);
-  if (next == gait_.com.end()) return KnotState(gait_.com.size() - 1);
+  if (next == gait_.com.begin()) return KnotState(0, shifted);
+  if (next == gait_.com.end()) return KnotState(gait_.com.size() - 1, shifted);
   const auto at = static_cast<std::size_t>(next - gait_.com.begin());
   const Tick start = gait_.com[at - 1].tick;
-  return QuinticAt(KnotState(at - 1), KnotState(at), SecondsAt(next->tick - start, tick_s_),
-                   SecondsAt(tick - start, tick_s_));
+  return QuinticAt(KnotState(at - 1, shifted), KnotState(at, shifted),
+                   SecondsAt(next->tick - start, tick_s_), SecondsAt(tick - start, tick_s_));
 }
 
 }  // namespace sidestep

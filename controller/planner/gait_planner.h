@@ -2,9 +2,13 @@
 #pragma once
 // gait_planner: the contacts and the CoM reference that the MPC sees at one instant.
 //
-// Holds the nominal gait, remembers where feet really landed, and shifts what is still to come
-// (FollowMode::kFootholds) so that a robot that was pushed off its path steps on from where it
-// is and drifts back at no more than path_return_m a step.
+// Holds the nominal gait and, with FollowMode::kCapturePoint, shifts what is still to come so that
+// a robot that was pushed off its path steps on from where it is going, and drifts back to the path
+// at no more than path_return_m a step. At each landing the shift becomes the capture point's
+// distance from where the nominal motion would have it:
+//   shift = (p_WC + v_WC / w) - (p_ref + v_ref / w),   w = sqrt(g / h)
+// Source of the capture point: Pratt et al., "Capture point: a step toward humanoid push recovery",
+// Humanoids 2006.
 
 #include <Eigen/Core>
 #include <vector>
@@ -29,15 +33,16 @@ class GaitPlanner {
   void SetAdjusted(int foot, int index, const Eigen::Vector3d& p_WF);
 
   /// Nominal CoM motion at `tick`: quintic between the knots; shifted like the contacts.
-  ComReference ReferenceAt(Tick tick) const;
+  ComReference ReferenceAt(Tick tick) const { return Reference(tick, true); }
 
   const ContactPlan& plan() const { return plan_; }
 
  private:
   Eigen::Vector3d Shift(int sequence) const;
-  void NoteLandings(Tick tick);
-  void NoteFoothold(const NominalContact& landed);
-  ComReference KnotState(std::size_t at) const;
+  void NoteLandings(const RobotState& state, Tick tick);
+  Eigen::Vector3d CapturePointError(const RobotState& state, Tick tick) const;
+  ComReference KnotState(std::size_t at, bool shifted) const;
+  ComReference Reference(Tick tick, bool shifted) const;
 
   NominalGait gait_;
   PlannerParams params_;

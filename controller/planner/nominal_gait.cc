@@ -78,6 +78,12 @@ class GaitWriter {
     next.contact.end_tick = kForever;
     next.contact.nominal_p_WF = {path_x_m_, y_m, geometry_.sole_height_m};
     next.contact.adjusted_p_WF = next.contact.nominal_p_WF;
+    next.contact.box_lower_m = geometry_.box_lower_m;
+    next.contact.box_upper_m = geometry_.box_upper_m;
+    if (foot == 1) {
+      next.contact.box_lower_m.y() = -geometry_.box_upper_m.y();
+      next.contact.box_upper_m.y() = -geometry_.box_lower_m.y();
+    }
     next.sequence = ++sequence_;
     Contacts(foot).push_back(next);
   }

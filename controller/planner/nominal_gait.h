@@ -41,6 +41,10 @@ struct GaitGeometry {
   int num_feet{1};            ///< 1 or 2; foot 0 of two is the left one (+y).
   double com_height_m{0.5};   ///< Above the ground.
   double sole_height_m{0.0};  ///< Height of F in stance.
+  /// Bounds of a step's adjustment in the contact frame (m), of a single or left foot; the right
+  /// foot's are mirrored in y.
+  Eigen::Vector3d box_lower_m{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
 };
 
 /// Lays contacts out until `end_tick` at least. `segments` are in

@@ -79,7 +79,7 @@ struct EstimatorParams {
   double foot_position_noise_m{0.001};
   double foot_velocity_noise_mps{0.05};
   double foot_slip_noise_mps{0.01};  ///< Random walk of a standing foot.
-  double contact_threshold_N{1.0};
+  double contact_threshold_N{0.3};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

@@ -52,7 +52,7 @@ struct WbcReport {
 struct ControlTick {
   Tick tick{0};
   RobotState state;
-  ComReference reference;  ///< Nominal CoM, shifted with the footholds if the planner follows.
+  ComReference reference;  ///< Nominal CoM, shifted with the robot if the planner follows.
   ComTarget com;
   std::vector<FootTarget> feet;
   MpcReport mpc;

@@ -47,21 +47,21 @@ struct GaitParams {
   }
 };
 
-/// Where nominal footholds go once a step was adjusted.
+/// Where nominal footholds go once the robot was pushed off its path.
 enum class FollowMode {
-  kPath,      ///< They stay where the gait put them in the world.
-  kFootholds  ///< They move with the foothold just taken, then drift back to the path.
+  kPath,         ///< They stay where the gait put them in the world.
+  kCapturePoint  ///< They move with the capture point at each landing, then drift back.
 };
 
 template <>
 struct EnumNames<FollowMode> {
   static constexpr std::array<std::pair<FollowMode, std::string_view>, 2> kNames{
-      {{FollowMode::kPath, "path"}, {FollowMode::kFootholds, "footholds"}}};
+      {{FollowMode::kPath, "path"}, {FollowMode::kCapturePoint, "capture_point"}}};
 };
 
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
-  double path_return_m{0.05};  ///< footholds: largest drift back to the path in one step.
+  double path_return_m{0.05};  ///< capture_point: largest drift back to the path in one step.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

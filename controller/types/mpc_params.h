@@ -40,8 +40,9 @@ struct MpcParams {
   double latency_s{0.0};   ///< A solution is used this long after its measurement.
   double tolerance{1e-6};  ///< Of the scaled optimality conditions.
   int max_iterations{100};
-  double friction{0.33};                         ///< Coefficient the controller plans with.
-  Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};  ///< Step adjustment, contact frame.
+  double friction{0.33};  ///< Coefficient the controller plans with.
+  Eigen::Vector3d box_lower_m{-0.1, -0.1,
+                              0.0};  ///< Step adjustment, contact frame; right foot mirrored.
   Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};
   double external_wrench_hold_s{0.1};  ///< A measured wrench is assumed to last this long.
   double attitude_rate_radps{0.0};     ///< Momentum reference I k theta that levels the base.

@@ -46,7 +46,7 @@ double GaitCycle_s(const GaitParams& gait, std::size_t num_feet) {
 PathMeter::PathMeter(const Scenario& scenario)
     : tick_s_(scenario.world.step_s),
       period_s_(1.0 / scenario.control.rate_hz),
-      follows_footholds_(scenario.control.planner.follow == FollowMode::kFootholds),
+      follows_robot_(scenario.control.planner.follow == FollowMode::kCapturePoint),
       gait_(scenario.gait),
       num_feet_(scenario.description_of_robot.feet.size()) {}
 
@@ -70,7 +70,7 @@ std::size_t PathMeter::CycleSamples(std::size_t at) const {
 double PathMeter::PathError(std::size_t at) const {
   const Sample& now = samples_[at];
   double error_m = (now.p_WC - now.reference_p_WC).norm();
-  if (follows_footholds_) return error_m;
+  if (follows_robot_) return error_m;
   const std::size_t reach = CycleSamples(at);
   const std::size_t stride = std::max<std::size_t>(1, reach / kChords);
   const std::size_t first = at - std::min(at, reach) / stride * stride;

@@ -3,10 +3,10 @@
 // path_meter: how far the CoM strays from its nominal motion, and when it is back for good.
 //
 // Path error: with `follow: path`, the horizontal distance of the CoM to the line that the nominal
-// CoM draws, looked for within one gait cycle before and after; with `follow: footholds`, where the
-// nominal motion shifts with the footholds, to the nominal CoM of the same instant.
-// Speed error: horizontal CoM velocity less the nominal one, averaged over the last gait cycle
-// (or what there is of it), as a length.
+// CoM draws, looked for within one gait cycle before and after; with `follow: capture_point`, where
+// the nominal motion shifts with the robot, to the nominal CoM of the same instant. Speed error:
+// horizontal CoM velocity less the nominal one, averaged over the last gait cycle (or what there is
+// of it), as a length.
 
 #include <Eigen/Core>
 #include <optional>
@@ -58,7 +58,7 @@ class PathMeter {
 
   double tick_s_;
   double period_s_;  ///< Between control ticks.
-  bool follows_footholds_;
+  bool follows_robot_;
   std::vector<GaitParams> gait_;
   std::size_t num_feet_;
   std::vector<Sample> samples_;
