@@ -63,7 +63,7 @@ std::vector<Room> SimRooms() {
       {"sim/process", kSupport},
       {"sim/render", kTools, true},
       {"sim/plot", kTools},
-      {"sim/report", kTools},
+      {"sim/report", kTools + Folders{"sim/plot/plot_run.h"}},  // the plots' names
       {"sim/check", kTools},
       {"sim/apps/commands",
        kTools + Folders{"controller/mpc", "sim/episode", "sim/render", "sim/plot", "sim/report",
