@@ -113,10 +113,15 @@ void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions
 void RenderFrame(const Recording& recording, mjModel* model, const RenderOptions& options,
                  double time_s, const std::filesystem::path& png) {
   CheckOptions(options);
-  SceneRenderer renderer(model, options);
-  const FrameContent content = ContentAt(recording, options, time_s);
-  WritePng(renderer.Draw(recording.log.rows[content.row].qpos, content), options.width_px,
-           options.height_px, png);
+  std::vector<std::unique_ptr<SegmentProcess>> processes;
+  processes.push_back(std::make_unique<SegmentProcess>([&](const auto& report_frame) {
+    SceneRenderer renderer(model, options);
+    const FrameContent content = ContentAt(recording, options, time_s);
+    WritePng(renderer.Draw(recording.log.rows[content.row].qpos, content), options.width_px,
+             options.height_px, png);
+    report_frame();
+  }));
+  Await(processes, 1, options.on_progress);
 }
 
 }  // namespace sidestep::render

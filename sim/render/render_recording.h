@@ -17,7 +17,8 @@ namespace sidestep::render {
 void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
                  const std::filesystem::path& mp4);
 
-/// Draws the frame `time_s` after the log's first row, in this process, and writes it as PNG.
+/// Draws the frame `time_s` after the log's first row and writes it as PNG. It, too, is drawn in a
+/// process of its own, so that this one never holds an OpenGL context when it forks.
 /// @throws ConfigError as RenderVideo.
 void RenderFrame(const Recording& recording, mjModel* model, const RenderOptions& options,
                  double time_s, const std::filesystem::path& png);
