@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The hopper's shipped scenarios and their negative controls: what must pass passes, and what must
+// fall falls for the right reason.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/closed_loop.h"
+
+namespace sidestep {
+namespace {
+
+const std::string kFirstPushOnly =
+    "pushes=[{body: trunk, force_N: [5, 0, 0], start_s: 2.0, duration_s: 0.5}]";
+const std::string kTenTimesThePush =
+    "pushes=[{body: trunk, force_N: [50, 0, 0], start_s: 2.0, duration_s: 0.5}]";
+const std::vector<std::string> kNoStepAdjustment{"control.mpc.box_lower_m=[0, 0, 0]",
+                                                 "control.mpc.box_upper_m=[0, 0, 0]"};
+
+// A trajectory's text without the columns that a clock wrote.
+std::string WithoutWallClock(const std::filesystem::path& csv) {
+  std::ifstream in(csv);
+  std::string header;
+  std::getline(in, header);
+  std::vector<bool> kept;
+  std::stringstream names(header);
+  for (std::string name; std::getline(names, name, ',');)
+    kept.push_back(!name.starts_with("wall_"));
+  std::string text;
+  for (std::string line; std::getline(in, line);) {
+    std::stringstream cells(line);
+    std::size_t column = 0;
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      if (kept[column++]) text += cell + ",";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(HopperTest, HopsInPlaceAndTravels) {
+  const ClosedLoopRun run("hopper_hop");
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Told();
+}
+
+TEST(HopperTest, SurvivesEveryShippedPush) {
+  const ClosedLoopRun run("hopper_push");
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Told();
+}
+
+TEST(HopperTest, FallsWhenItDoesNothing) {
+  const ClosedLoopRun run("hopper_push", {"control.mode=passive"});
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+}
+
+TEST(HopperTest, FallsUnderTenTimesThePush) {
+  const ClosedLoopRun run("hopper_push", {kTenTimesThePush});
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+}
+
+TEST(HopperTest, FallsUnderTheShippedPushWhenItMayNotMoveItsSteps) {
+  std::vector<std::string> overrides = kNoStepAdjustment;
+  overrides.push_back(kFirstPushOnly);
+  const ClosedLoopRun run("hopper_push", overrides);
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+}
+
+// A point foot needs some step to balance at all: two centimetres do, but not for a push.
+TEST(HopperTest, TwoCentimetresOfStepAdjustmentHopButDoNotSave) {
+  std::vector<std::string> overrides{"control.mpc.box_lower_m=[-0.02, -0.02, 0]",
+                                     "control.mpc.box_upper_m=[0.02, 0.02, 0]", "duration_s=6.0",
+                                     "expect={fall: false}", "pushes=[]"};
+  const ClosedLoopRun unpushed("hopper_push", overrides);
+  EXPECT_EQ(unpushed.verdict.verdict_class, VerdictClass::kPass) << unpushed.Told();
+  overrides.back() = kFirstPushOnly;
+  const ClosedLoopRun pushed("hopper_push", overrides);
+  EXPECT_TRUE(pushed.FailedBy(reason::kFall)) << pushed.Told();
+}
+
+TEST(HopperTest, RunsAlikeTwice) {
+  const std::vector<std::string> overrides{"duration_s=3.5", kFirstPushOnly,
+                                           "expect={fall: false}"};
+  const ClosedLoopRun first("hopper_push", overrides);
+  const ClosedLoopRun second("hopper_push", overrides);
+  const std::string once = WithoutWallClock(first.folder.path() / "trajectory.csv");
+  EXPECT_GT(once.size(), 100000U);
+  EXPECT_EQ(once, WithoutWallClock(second.folder.path() / "trajectory.csv"));
+}
+
+TEST(HopperTest, AnotherSeedIsAnotherRun) {
+  const std::vector<std::string> overrides{"duration_s=1.0", "pushes=[]", "expect={fall: false}"};
+  std::vector<std::string> reseeded = overrides;
+  reseeded.emplace_back("seed=2");
+  const ClosedLoopRun first("hopper_push", overrides);
+  const ClosedLoopRun second("hopper_push", reseeded);
+  EXPECT_NE(WithoutWallClock(first.folder.path() / "trajectory.csv"),
+            WithoutWallClock(second.folder.path() / "trajectory.csv"));
+}
+
+}  // namespace
+}  // namespace sidestep
