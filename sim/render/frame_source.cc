@@ -11,7 +11,7 @@ namespace sidestep::render {
 namespace {
 
 constexpr double kTrace_s = 1.0;  // how far back the CoM's trace goes
-constexpr double kTraceSpacing_s = 0.04;
+constexpr double kTraceSpacing_s = 0.08;
 constexpr double kFootholdMemory_s = 2.0;
 
 std::vector<Eigen::Vector3d> TracePoints(const Recording& recording, std::size_t row) {

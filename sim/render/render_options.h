@@ -8,12 +8,12 @@
 
 namespace sidestep {
 
-/// How much work a frame may cost. Milliseconds for a 640 x 480 frame of the hopper in Mesa's
-/// llvmpipe on one core of the 2-core machine this was tuned on.
+/// How much work a frame may cost: CPU milliseconds for 640 x 480 pixels, a two-legged robot with
+/// pushes, footholds and captions, in Mesa's llvmpipe on one of two cores with the other one busy.
 enum class RenderQuality {
-  kDraft,   ///< No shadows, no multisampling: 22 ms.
-  kNormal,  ///< Shadow map of 1024, no multisampling: 36 ms.
-  kFine     ///< Shadow map of 2048, 4 samples a pixel: 107 ms.
+  kDraft,   ///< No shadows, no multisampling: 30 ms.
+  kNormal,  ///< Shadow map of 1024, no multisampling: 60 ms.
+  kFine     ///< Shadow map of 2048, 4 samples a pixel: 200 ms.
 };
 
 /// What `sidestep render` may set. Frame size and rate as in the scenario's `video`.

@@ -20,18 +20,20 @@ constexpr float kArrowGlow = 0.6F;           // arrows keep their colour on the 
 struct QualitySettings {
   int shadow_map_px;  // 0: no shadows
   int samples;
+  int slices;  // around a round shape; corners cost more than pixels in software
+  int stacks;  // along it
 };
 
 QualitySettings SettingsOf(RenderQuality quality) {
   switch (quality) {
     case RenderQuality::kDraft:
-      return {0, 0};
+      return {0, 0, 14, 8};
     case RenderQuality::kFine:
-      return {2048, 4};
+      return {2048, 4, 28, 16};
     case RenderQuality::kNormal:
       break;
   }
-  return {1024, 0};
+  return {1024, 0, 16, 8};
 }
 
 void ApplyQuality(const RenderOptions& options, mjModel* model) {
@@ -41,6 +43,8 @@ void ApplyQuality(const RenderOptions& options, mjModel* model) {
   model->vis.global.fovy = static_cast<float>(kFieldOfView_deg);
   model->vis.quality.offsamples = settings.samples;
   model->vis.quality.shadowsize = std::max(1, settings.shadow_map_px);
+  model->vis.quality.numslices = settings.slices;
+  model->vis.quality.numstacks = settings.stacks;
   model->vis.map.shadowclip = kShadowHalfWidth_m / static_cast<float>(model->stat.extent);
 }
 
