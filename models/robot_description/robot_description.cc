@@ -152,6 +152,7 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   } else {
     ReadCentroidalRobot(map, &robot);
   }
+  map.Optional("control");  // gains of this robot: ReadScenario reads them
   map.RejectUnknownKeys();
   return robot;
 }

@@ -34,7 +34,8 @@ struct RobotDescription {
   std::vector<FootDescription> feet;   ///< At least one.
 };
 
-/// Reads a robot.yaml. Throws ConfigError with file:line:column.
+/// Reads a robot.yaml, but for its `control` block: this robot's own defaults of a scenario's
+/// `control`, which only ReadScenario understands. Throws ConfigError with file:line:column.
 RobotDescription ReadRobotDescription(const std::filesystem::path& file);
 
 /// Finds the robot.yaml that `robot` names: a folder of the shipped models, or a path to a

@@ -23,8 +23,8 @@ void AddFootToTopView(const std::string& foot, const std::string& color, std::os
          << "(" << Column("nominal_x_m") << "+" << Column("box_upper_x_m") << "):"
          << "(" << Column("nominal_y_m") << "+" << Column("box_lower_y_m") << "):"
          << "(" << Column("nominal_y_m") << "+" << Column("box_upper_y_m") << ")"
-         << " with boxxyerror fillcolor rgb \"" << color
-         << "\" fillstyle transparent solid 0.10 noborder notitle"
+         << " with boxxyerror linecolor rgb \"" << color
+         << "\" linewidth 0.3 fillstyle empty notitle"
          << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
          << Column("nominal_y_m") << ":(" << Column("adjusted_x_m") << "-" << Column("nominal_x_m")
          << "):(" << Column("adjusted_y_m") << "-" << Column("nominal_y_m")
@@ -71,8 +71,8 @@ std::string TopViewScript(const PlotData& data) {
            << kNominalColor << "\" title 'nominal'"
            << ", \\\n  keyentry with points pointtype 2 linecolor rgb \"" << kNominalColor
            << "\" title 'realised'"
-           << ", \\\n  keyentry with boxes fillcolor rgb \"" << kNominalColor
-           << "\" fillstyle transparent solid 0.2 noborder title 'adjustment allowed'";
+           << ", \\\n  keyentry with boxes linecolor rgb \"" << kNominalColor
+           << "\" linewidth 0.6 fillstyle empty title 'adjustment allowed'";
   }
   script << "\n";
   return script.str();

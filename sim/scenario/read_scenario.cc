@@ -41,6 +41,13 @@ std::string ReadName(const ConfigNode& node) {
   return name;
 }
 
+// Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's.
+void ReadRobotControl(const std::filesystem::path& robot_file, ControlParams* control) {
+  const ConfigTree root = ReadConfigFile(robot_file);
+  ConfigMap map(root, "");
+  if (const auto defaults = map.Optional("control")) ReadFields(*defaults, *control);
+}
+
 void ReadRobot(const ConfigNode& node, Scenario* scenario) {
   scenario->robot = node.Text();
   const bool is_from_file = node.tree().place.source->is_file;
@@ -51,6 +58,7 @@ void ReadRobot(const ConfigNode& node, Scenario* scenario) {
               DidYouMean(scenario->robot, ShippedRobots(), "robots that ship"));
   }
   scenario->description_of_robot = ReadRobotDescription(robot_file);
+  ReadRobotControl(robot_file, &scenario->control);
 }
 
 template <typename T>

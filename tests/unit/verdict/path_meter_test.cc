@@ -38,10 +38,10 @@ Motion LateWalk(double lag_s) {
   };
 }
 
-TEST(PathMeterTest, LatenessIsNoErrorOnThePathButIsOneAgainstMovingFootholds) {
+TEST(PathMeterTest, LatenessIsNoErrorOnThePathButIsOneAgainstAPathThatFollows) {
   Scenario scenario = OneFootScenario();
   EXPECT_LT(FiguresOf(scenario, LateWalk(0.1)).final_path_error_m, 1e-4);
-  scenario.control.planner.follow = FollowMode::kFootholds;
+  scenario.control.planner.follow = FollowMode::kCapturePoint;
   EXPECT_NEAR(FiguresOf(scenario, LateWalk(0.1)).final_path_error_m, 0.053, 0.003);
 }
 
@@ -51,7 +51,7 @@ TEST(PathMeterTest, LateralOffsetIsTheErrorWhateverFollows) {
     truth.p_WC = {0.5 * time_s, time_s > 1.0 && time_s < 2.0 ? 0.12 : 0.04, 0.7};
   };
   Scenario scenario = OneFootScenario();
-  for (const FollowMode follow : {FollowMode::kPath, FollowMode::kFootholds}) {
+  for (const FollowMode follow : {FollowMode::kPath, FollowMode::kCapturePoint}) {
     scenario.control.planner.follow = follow;
     const PathFigures figures = FiguresOf(scenario, offset);
     EXPECT_NEAR(figures.final_path_error_m, 0.04, 1e-12);
