@@ -42,6 +42,25 @@ void AddFootToTopView(const std::string& foot, const std::string& color, std::os
          << "\" notitle";
 }
 
+// Ranges of one scale that hold the CoM and the footholds and fill the canvas; boxes may reach out.
+void SetTopViewRanges(bool has_footsteps, std::ostream& script) {
+  constexpr double kMargin_m = 0.12;
+  constexpr double kAspect = 1.63;  // of the area between the margins below
+  script << "stats '" << kThinnedFile << "' using " << Column("truth_p_WC_x_m") << ":"
+         << Column("truth_p_WC_y_m") << " name 'C' nooutput\n"
+         << "x0 = C_min_x; x1 = C_max_x; y0 = C_min_y; y1 = C_max_y\n";
+  if (has_footsteps) {
+    script << "stats " << kFootsteps << " using " << Column("adjusted_x_m") << ":"
+           << Column("adjusted_y_m") << " name 'F' nooutput\n"
+           << "x0 = F_min_x < x0 ? F_min_x : x0; x1 = F_max_x > x1 ? F_max_x : x1\n"
+           << "y0 = F_min_y < y0 ? F_min_y : y0; y1 = F_max_y > y1 ? F_max_y : y1\n";
+  }
+  script << "w = x1 - x0 + " << 2.0 * kMargin_m << "; h = y1 - y0 + " << 2.0 * kMargin_m << "\n"
+         << "w = w < " << kAspect << " * h ? " << kAspect << " * h : w; h = w / " << kAspect << "\n"
+         << "set xrange [0.5 * (x0 + x1 - w):0.5 * (x0 + x1 + w)]\n"
+         << "set yrange [0.5 * (y0 + y1 - h):0.5 * (y0 + y1 + h)]\n";
+}
+
 std::string FootCurve(const std::string& expression, const std::string& color,
                       const std::string& title) {
   return "'" + std::string(kThinnedFile) + "' using \"time_s\":(" + expression +
@@ -56,8 +75,8 @@ std::string TopViewScript(const PlotData& data) {
   script << "set title " << Verbatim(data.title + ": footsteps and centre of mass from above")
          << "\nset lmargin at screen 0.10\nset rmargin at screen 0.975\n"
          << "set bmargin at screen 0.165\nset tmargin at screen 0.93\n"
-         << "set size ratio -1\nset xlabel 'x, forward (m)'\nset ylabel 'y, left (m)'\n"
-         << "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.08\n";
+         << "set size ratio -1\nset xlabel 'x, forward (m)'\nset ylabel 'y, left (m)'\n";
+  SetTopViewRanges(data.has_footsteps, script);
   script << "plot '" << kThinnedFile << "' using \"reference_p_WC_x_m\":\"reference_p_WC_y_m\" "
          << "with lines linecolor rgb \"" << kReferenceColor
          << "\" linewidth 1.6 title 'CoM, reference'"
