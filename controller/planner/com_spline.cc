@@ -7,8 +7,8 @@ namespace sidestep {
 
 ComReference QuinticAt(const ComReference& from, const ComReference& to, double duration_s,
                        double time_s) {
-  if (time_s <= 0.0) return {from.p_WC, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  if (time_s >= duration_s) return {to.p_WC, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  if (time_s < 0.0) return {from.p_WC, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  if (time_s > duration_s) return {to.p_WC, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   ComReference at;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const QuinticState state = Quintic({from.p_WC[axis], from.v_WC[axis], from.a_WC[axis]},

@@ -50,6 +50,7 @@ void GaitPlanner::NoteLandings(const RobotState& state, Tick tick) {
     while (landed_[foot] < contacts.size() && contacts[landed_[foot]].contact.start_tick <= tick) {
       NominalContact& landed = contacts[landed_[foot]++];
       landed.landing_shift = Shift(landed.sequence);
+      if (!landed.decided) landed.contact.adjusted_p_WF += landed.landing_shift;
       shift_[static_cast<std::size_t>(landed.sequence)] = CapturePointError(state, tick);
       last_landing_ = std::max(last_landing_, landed.sequence);
     }

@@ -18,8 +18,10 @@ class GaitWriter {
       : segments_(segments), geometry_(geometry), tick_s_(tick_s) {
     const int num_feet = geometry.num_feet;
     gait_.feet.resize(static_cast<std::size_t>(num_feet));
-    for (int foot = 0; foot < num_feet; ++foot) Land(foot, 0, segments.front());
-    sequence_ = 0;
+    for (int foot = 0; foot < num_feet; ++foot) {
+      sequence_ = -1;  // every foot stands there from landing 0 on
+      Land(foot, 0, segments.front());
+    }
     AddComKnot(0, true);
   }
 
@@ -167,7 +169,7 @@ class GaitWriter {
   Tick now_{0};
   double path_x_m_{0.0};
   int next_foot_{0};
-  int sequence_{-1};
+  int sequence_{0};
 };
 
 }  // namespace

@@ -47,8 +47,8 @@ struct GaitGeometry {
   Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
 };
 
-/// Lays contacts out until `end_tick` at least. `segments` are in
-/// order of start_s, the first at 0. Contacts that last to the end have a far end_tick.
+/// Lays contacts out until `end_tick` at least. `segments` are in order of start_s, the first at 0.
+/// Contacts that last to the end have a far end_tick. Throws ContractViolation without segments.
 NominalGait BuildNominalGait(const std::vector<GaitParams>& segments, const GaitGeometry& geometry,
                              Tick end_tick, double tick_s);
 

@@ -17,7 +17,7 @@ namespace sidestep {
 
 /// Shape of a swing.
 struct SwingShape {
-  double height_m{0.05};  ///< Apex above the straight line between the footholds.
+  double height_m{0.05};  ///< Apex above the higher of the two footholds.
   double landing_speed_mps{0.3};
   double freeze_s{0.03};  ///< The foothold no longer moves this long before landing.
 };

@@ -53,7 +53,7 @@ struct WbcParams {
   double attitude_weight{0.1};
   double swing_weight{1.0};
   double force_weight{1e-3};    ///< On contact force minus the MPC's, per N^2.
-  double posture_weight{1e-4};  ///< Damps joints that no task uses.
+  double posture_weight{1e-4};  ///< On accelerations that no task asks for.
   double friction{0.5};         ///< Coefficient of the cones the forces must keep.
 
   template <typename Self, typename Visitor>
