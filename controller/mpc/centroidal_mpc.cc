@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "controller/mpc/shifted_guess.h"
-#include "models/support/require.h"
 
 namespace sidestep::mpc {
 
@@ -33,11 +32,14 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
 }
 
 bool CentroidalMpc::Activate(Tick tick) {
-  if (newest_ == nullptr || newest_ == active_) return false;
-  // The very first plan is taken at once: there is nothing to go on with until it comes of age.
-  if (active_ != nullptr && tick < newest_->tick + latency_ticks_) return false;
-  active_ = newest_;
-  return true;
+  const Plan* before = active_;
+  while (!waiting_.empty()) {
+    // The very first plan is taken at once: there is nothing to go on with until it comes of age.
+    if (active_ != nullptr && tick < waiting_.front()->tick + latency_ticks_) break;
+    active_ = waiting_.front();
+    waiting_.erase(waiting_.begin());
+  }
+  return active_ != before;
 }
 
 int CentroidalMpc::KnotAt(const Plan& plan, Tick tick) const {
@@ -92,10 +94,10 @@ void CentroidalMpc::GivePreviousForce(CentroidalOcp* ocp, Tick tick) const {
 
 CentroidalMpc::Plan* CentroidalMpc::FreeSlot() {
   const auto slot = std::find_if(plans_.begin(), plans_.end(), [&](const Plan& plan) {
-    return &plan != active_ && &plan != newest_;
+    return &plan != active_ && &plan != newest_ &&
+           std::find(waiting_.begin(), waiting_.end(), &plan) == waiting_.end();
   });
-  SIDESTEP_REQUIRE(slot != plans_.end(), "three slots, two taken");
-  return &*slot;
+  return slot != plans_.end() ? &*slot : &plans_.emplace_back();
 }
 
 void CentroidalMpc::Keep(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick) {
@@ -113,6 +115,7 @@ void CentroidalMpc::Keep(const CentroidalOcp& ocp, const MpcSolution& solution, 
     }
   }
   newest_ = plan;
+  waiting_.push_back(plan);
 }
 
 }  // namespace sidestep::mpc

@@ -3,7 +3,7 @@
 // centroidal_mpc: the MPC as a stage of the control chain: builds, warm-starts, solves, keeps the
 // plan in use, and falls back to the previous plan when a solve fails.
 
-#include <array>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -29,14 +29,14 @@ class CentroidalMpc {
   void Solve(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
              Tick tick);
 
-  /// Makes the newest solution the plan in use once it is latency_s old. Call every tick; returns
-  /// true when the plan changed, and footholds() with it.
+  /// Makes a solution the plan in use once it is latency_s old, however many were made meanwhile.
+  /// Call every tick; returns true when the plan changed, and footholds() with it.
   bool Activate(Tick tick);
 
   /// True once there is a plan to read.
   bool has_plan() const { return active_ != nullptr; }
 
-  /// Footholds of the plan in use that still lie ahead of their landing.
+  /// Footholds that the plan in use decided: landings ahead of it when it was made.
   const std::vector<Foothold>& footholds() const { return active_->footholds; }
 
   /// CoM motion that the plan implies at `tick`: constant acceleration within a knot.
@@ -48,7 +48,7 @@ class CentroidalMpc {
   /// Seconds since the measurement behind the plan in use.
   double Age_s(Tick tick) const;
 
-  /// How the last solve went; `ran` holds until the next Activate().
+  /// How the last solve went; `ran` is false before the first.
   const MpcReport& report() const { return report_; }
 
   /// The last problem, for dumps.
@@ -74,9 +74,10 @@ class CentroidalMpc {
   Tick latency_ticks_;
   ProblemBuilder builder_;
   std::unique_ptr<CentroidalSolver> solver_;
-  std::array<Plan, 3> plans_;  // in use, newest, and the one to write next
-  Plan* newest_{nullptr};      // last usable solution; waits for its latency unless in use
-  Plan* active_{nullptr};      // in use
+  std::deque<Plan> plans_;       // as many as are in use or waiting at once; never move
+  std::vector<Plan*> waiting_;   // younger than the latency, oldest first
+  const Plan* newest_{nullptr};  // last usable solution: the next warm start
+  const Plan* active_{nullptr};  // in use
   MpcSolution guess_;
   MpcReport report_;
 };

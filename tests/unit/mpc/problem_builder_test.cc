@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/mpc/problem_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace sidestep::mpc {
+namespace {
+
+constexpr double kTick_s = 0.001;
+constexpr int kKnots = 10;
+constexpr Tick kStep = 50;
+constexpr Tick kForever = std::numeric_limits<Tick>::max() / 4;
+
+MpcParams Params() {
+  MpcParams params;
+  params.knots = kKnots;
+  params.step_s = 0.05;
+  return params;
+}
+
+RobotModel PointFoot() {
+  RobotModel robot;
+  robot.mass_kg = 2.0;
+  robot.foot_names = {"foot"};
+  robot.vertices_m = {Eigen::Matrix3Xd::Zero(3, 1)};
+  return robot;
+}
+
+PlannedContact Contact(int index, Tick start, Tick end) {
+  PlannedContact contact;
+  contact.index = index;
+  contact.start_tick = start;
+  contact.end_tick = end;
+  contact.nominal_p_WF = {0.1 * index, 0.02, 0.0};
+  contact.adjusted_p_WF = contact.nominal_p_WF + Eigen::Vector3d(0.01, -0.02, 0.0);
+  contact.box_lower_m = {-0.1, -0.2, 0.0};
+  contact.box_upper_m = {0.3, 0.4, 0.0};
+  return contact;
+}
+
+class ProblemBuilderTest : public testing::Test {
+ protected:
+  ProblemBuilderTest() {
+    references_.p_WC.setZero(3, kKnots + 1);
+    references_.angular_momentum.setZero(3, kKnots + 1);
+  }
+
+  const CentroidalOcp& Build(const std::vector<PlannedContact>& contacts, Tick tick) {
+    builder_.Build(state_, {{contacts}}, references_, tick);
+    CheckShapes(builder_.ocp());
+    return builder_.ocp();
+  }
+
+  const std::vector<ContactPhase>& Phases(const std::vector<PlannedContact>& contacts, Tick tick) {
+    return Build(contacts, tick).contacts[0].phases;
+  }
+
+  RobotState state_;
+  GridReferences references_;
+  ProblemBuilder builder_{Params(), PointFoot(), kTick_s};
+};
+
+TEST_F(ProblemBuilderTest, ScheduleOnTheGridIsSampledExactly) {
+  const auto& phases = Phases({Contact(0, 0, 100), Contact(1, 200, 400)}, 50);
+  ASSERT_EQ(phases.size(), 2U);
+  EXPECT_EQ(phases[0].first_knot, 0);
+  EXPECT_EQ(phases[0].end_knot, 1);
+  EXPECT_EQ(phases[1].first_knot, 3);
+  EXPECT_EQ(phases[1].end_knot, 7);
+}
+
+TEST_F(ProblemBuilderTest, ScheduleOffTheGridGoesToTheNearestKnots) {
+  const auto& phases = Phases({Contact(1, 120, 230), Contact(2, 325, 376)}, 0);
+  ASSERT_EQ(phases.size(), 2U);
+  EXPECT_EQ(phases[0].first_knot, 2);  // 2.4
+  EXPECT_EQ(phases[0].end_knot, 5);    // 4.6
+  EXPECT_EQ(phases[1].first_knot, 7);  // 6.5: halves round up
+  EXPECT_EQ(phases[1].end_knot, 8);    // 7.52
+}
+
+TEST_F(ProblemBuilderTest, ContactShorterThanTheGridSeesIsLeftOut) {
+  EXPECT_EQ(Phases({Contact(1, 124, 160)}, 0).size(), 1U) << "2.48 and 3.2";
+  EXPECT_TRUE(Phases({Contact(1, 126, 174)}, 0).empty()) << "2.52 and 3.48 are both 3";
+}
+
+TEST_F(ProblemBuilderTest, StanceThatEndsWithinHalfAStepIsLeftOut) {
+  EXPECT_TRUE(Phases({Contact(0, 0, 100)}, 80).empty());
+  EXPECT_EQ(Phases({Contact(0, 0, 100)}, 70).size(), 1U);
+}
+
+TEST_F(ProblemBuilderTest, ContactsBeyondTheHorizonAreLeftOutAndEndlessOnesCut) {
+  const auto& phases =
+      Phases({Contact(0, 0, 100), Contact(1, 500, kForever), Contact(2, kForever, kForever)}, 0);
+  ASSERT_EQ(phases.size(), 2U);
+  EXPECT_EQ(phases[1].first_knot, kKnots);
+  EXPECT_EQ(phases[1].end_knot, kKnots + 1);
+  EXPECT_EQ(Phases({Contact(0, 0, 100), Contact(1, 526, kForever)}, 0).size(), 1U);
+}
+
+TEST_F(ProblemBuilderTest, BegunContactIsFixedWhereItStandsAndTheOthersAreFreeInTheirBoxes) {
+  const auto& phases = Phases({Contact(3, 100, 200), Contact(4, 300, 400)}, 100);
+  ASSERT_EQ(phases.size(), 2U);
+  EXPECT_TRUE(phases[0].fixed);
+  EXPECT_EQ(phases[0].p_WF, Contact(3, 0, 1).adjusted_p_WF);
+  EXPECT_FALSE(phases[1].fixed);
+  EXPECT_EQ(phases[1].nominal_p_WF, Contact(4, 0, 1).nominal_p_WF);
+  EXPECT_EQ(phases[1].box_lower_m, Contact(4, 0, 1).box_lower_m);
+  EXPECT_EQ(phases[1].box_upper_m, Contact(4, 0, 1).box_upper_m);
+}
+
+TEST_F(ProblemBuilderTest, ContactThatBeginsWithinHalfAStepIsDownAtOnceButStillFree) {
+  const auto& phases = Phases({Contact(1, 110, 300)}, 100);
+  ASSERT_EQ(phases.size(), 1U);
+  EXPECT_EQ(phases[0].first_knot, 0);
+  EXPECT_FALSE(phases[0].fixed);
+}
+
+TEST_F(ProblemBuilderTest, PhasesRememberTheirPlannedContactsThroughGaps) {
+  Phases({Contact(5, 0, 110), Contact(6, 200, 300), Contact(7, 400, 450)}, 100);
+  EXPECT_EQ(builder_.PlannedIndex(0, 0), 6) << "contact 5 is left out";
+  EXPECT_EQ(builder_.PlannedIndex(0, 1), 7);
+}
+
+TEST_F(ProblemBuilderTest, InitialStateIsTheBeliefsWithMomentumOfTheWholeMass) {
+  state_.p_WC = {0.1, 0.2, 0.5};
+  state_.v_WC = {0.3, -0.1, 0.4};
+  state_.angular_momentum = {0.01, 0.02, 0.03};
+  const CentroidalOcp& ocp = Build({Contact(0, 0, 1000)}, 0);
+  EXPECT_EQ(ocp.initial_p_WC, state_.p_WC);
+  EXPECT_EQ(ocp.initial_linear_momentum, 2.0 * state_.v_WC);
+  EXPECT_EQ(ocp.initial_angular_momentum, state_.angular_momentum);
+}
+
+TEST_F(ProblemBuilderTest, ReferencesAreHandedOn) {
+  references_.p_WC.row(0).setLinSpaced(0.0, 1.0);
+  references_.angular_momentum.row(1).setLinSpaced(2.0, 3.0);
+  const CentroidalOcp& ocp = Build({Contact(0, 0, 1000)}, 0);
+  EXPECT_EQ(ocp.reference_p_WC, references_.p_WC);
+  EXPECT_EQ(ocp.reference_angular_momentum, references_.angular_momentum);
+}
+
+TEST_F(ProblemBuilderTest, MeasuredWrenchLastsForItsHoldTimeToAFractionOfAKnot) {
+  MpcParams params = Params();
+  params.external_wrench_hold_s = 0.07;
+  builder_ = ProblemBuilder(params, PointFoot(), kTick_s);
+  state_.external_wrench.force_N = {10.0, -5.0, 0.0};
+  state_.external_wrench.torque_Nm = {0.0, 1.0, 2.0};
+  const CentroidalOcp& ocp = Build({Contact(0, 0, 1000)}, 0);
+  const Eigen::Vector3d& force_N = state_.external_wrench.force_N;
+  EXPECT_LT((ocp.external_force_N.col(0) - force_N).norm(), 1e-12);
+  EXPECT_LT((ocp.external_force_N.col(1) - 0.4 * force_N).norm(), 1e-12) << "20 ms of 50";
+  EXPECT_EQ(ocp.external_force_N.rightCols(kKnots - 2).norm(), 0.0);
+  EXPECT_LT((ocp.external_torque_Nm.col(1) - 0.4 * state_.external_wrench.torque_Nm).norm(), 1e-12);
+  const Eigen::Vector3d impulse_Ns = 0.05 * ocp.external_force_N.rowwise().sum();
+  EXPECT_LT((impulse_Ns - 0.07 * force_N).norm(), 1e-12);
+}
+
+TEST_F(ProblemBuilderTest, EachProblemStartsWithoutAPreviousForce) {
+  Build({Contact(0, 0, 1000)}, 0);
+  builder_.ocp().contacts[0].has_previous_force = true;
+  EXPECT_FALSE(Build({Contact(0, 0, 1000)}, 50).contacts[0].has_previous_force);
+}
+
+TEST(FrictionPyramidTest, HoldsWhatItsConeHoldsAtItsCornersAndNeverMore) {
+  const Eigen::MatrixX3d A = FrictionPyramid(0.5);
+  const auto holds = [&](double x, double y, double z) {
+    return (A * Eigen::Vector3d(x, y, z)).maxCoeff() <= 1e-12;
+  };
+  EXPECT_TRUE(holds(0.0, 0.0, 1.0));
+  EXPECT_TRUE(holds(0.5, 0.0, 1.0)) << "the cone's own bound along an axis";
+  EXPECT_FALSE(holds(0.51, 0.0, 1.0));
+  EXPECT_FALSE(holds(0.0, -0.51, 1.0));
+  EXPECT_FALSE(holds(0.3, 0.3, 1.0)) << "inside the cone, outside the pyramid";
+  EXPECT_FALSE(holds(0.0, 0.0, -1.0)) << "the ground does not pull";
+  for (double angle_rad = 0.0; angle_rad < 6.3; angle_rad += 0.1) {
+    EXPECT_FALSE(holds(0.501 * std::cos(angle_rad), 0.501 * std::sin(angle_rad), 1.0));
+  }
+}
+
+}  // namespace
+}  // namespace sidestep::mpc
