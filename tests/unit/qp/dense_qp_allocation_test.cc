@@ -1,80 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Solve takes no memory, whatever the sizes. Eigen allocates by malloc and the standard library by
-// operator new; the linker sends both through counters here (--wrap, see CMakeLists.txt), in the
-// solver's library too. That also sees what EIGEN_RUNTIME_NO_MALLOC would, in Release as well.
+// Solve takes no memory, whatever the sizes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <vector>
 
 #include "controller/wbc/qp/dense_qp.h"
+#include "tests/support/allocation_counter.h"
 #include "tests/support/random_dense_qp.h"
-
-namespace {
-// Atomic because compilers may assume that malloc leaves a plain counter alone.
-std::atomic<std::int64_t> allocations = 0;
-}  // namespace
-
-extern "C" {
-void* __real_malloc(std::size_t size);
-void* __real_calloc(std::size_t count, std::size_t size);
-void* __real_realloc(void* memory, std::size_t size);
-int __real_posix_memalign(void** memory, std::size_t alignment, std::size_t size);
-
-void* __wrap_malloc(std::size_t size) {
-  ++allocations;
-  return __real_malloc(size);
-}
-void* __wrap_calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __real_calloc(count, size);
-}
-void* __wrap_realloc(void* memory, std::size_t size) {
-  ++allocations;
-  return __real_realloc(memory, size);
-}
-int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __real_posix_memalign(memory, alignment, size);
-}
-}
-
-// Their malloc is the wrapped one: one count an allocation.
-// Not inlined: GCC would see malloc on one side of a pair only and warn of a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (void* memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace sidestep::wbc {
 namespace {
 
 std::int64_t CountDuringSolve(DenseQpSolver& solver, const DenseQpView& problem,
                               const DenseQpSolution* guess) {
-  const std::int64_t before = allocations;
+  const std::int64_t before = CountAllocations();
   solver.Solve(problem, guess);
-  return allocations - before;
+  return CountAllocations() - before;
 }
 
 TEST(DenseQpAllocationTest, TheCountersSeeEigenAndTheStandardLibrary) {
   // Volatile pointers keep the compiler from leaving the allocations out.
-  std::int64_t before = allocations;
+  std::int64_t before = CountAllocations();
   const Eigen::VectorXd vector = Eigen::VectorXd::Zero(100);
   const double* volatile data = vector.data();
-  EXPECT_EQ(allocations - before, 1) << data;
-  before = allocations;
+  EXPECT_EQ(CountAllocations() - before, 1) << data;
+  before = CountAllocations();
   const std::vector<double> values(100);
   data = values.data();
-  EXPECT_EQ(allocations - before, 1) << data;
+  EXPECT_EQ(CountAllocations() - before, 1) << data;
 }
 
 TEST(DenseQpAllocationTest, SolveTakesNoMemoryAsSizesComeAndGo) {
