@@ -36,7 +36,7 @@ void NoteInvalid(const World& world, double time_s, Judge* judge) {
 }  // namespace
 
 double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder* recorder,
-                  const EpisodeProgress& progress) {
+                  ProblemDump* dump, const EpisodeProgress& progress) {
   const double tick_s = scenario.world.step_s;
   const Tick num_ticks = TickAt(scenario.duration_s, tick_s);
   const Tick control_period = TickAt(1.0 / scenario.control.rate_hz, tick_s);
@@ -54,6 +54,9 @@ double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder
       const auto start = std::chrono::steady_clock::now();
       control = &controller.Update(frame);
       recorder->Add(tick, world->truth(), *control, ElapsedMs(start), timer.Spent_ms(Stage::kMpc));
+      if (control->mpc.ran) {
+        dump->Add(SecondsAt(tick, tick_s), controller.last_problem(), control->mpc.fell_back);
+      }
       world->Apply(control->command);
     }
     judge->Add(tick, world->truth(), control);

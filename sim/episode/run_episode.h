@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "sim/record/problem_dump.h"
 #include "sim/record/recorder.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/judge.h"
@@ -15,9 +16,9 @@ namespace sidestep {
 using EpisodeProgress = std::function<void(double sim_time_s, double duration_s)>;
 
 /// Runs `scenario` on `world` until its duration is over, the judge has seen enough, the physics
-/// diverged, or the user interrupts. Returns the simulated time (s). Judge and recorder then hold
-/// what happened; neither can disturb the run.
+/// diverged, or the user interrupts. Returns the simulated time (s). Judge, recorder and dump
+/// then hold what happened; none of them can disturb the run.
 double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder* recorder,
-                  const EpisodeProgress& progress);
+                  ProblemDump* dump, const EpisodeProgress& progress);
 
 }  // namespace sidestep

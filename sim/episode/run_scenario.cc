@@ -11,7 +11,9 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   const std::unique_ptr<World> world = MakeWorld(scenario);
   Judge judge(scenario, world->mass_kg());
   Recorder recorder(scenario, *world, options.out_dir, options.command);
-  const double simulated_s = RunEpisode(scenario, world.get(), &judge, &recorder, options.progress);
+  ProblemDump dump(options.out_dir, options.dump_every_problem);
+  const double simulated_s =
+      RunEpisode(scenario, world.get(), &judge, &recorder, &dump, options.progress);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const RunOutcome outcome = judge.Conclude();
   recorder.Finish(outcome, simulated_s, wall.count());

@@ -17,6 +17,7 @@ struct RunOptions {
   std::filesystem::path out_dir;     ///< Created if need be; see Recorder for what it holds.
   std::vector<std::string> command;  ///< The program's arguments, for summary.json.
   bool quiet{false};
+  bool dump_every_problem{false};    ///< Not only failed MPC problems; see ProblemDump.
   EpisodeProgress progress;  ///< May be empty.
 };
 

@@ -22,18 +22,27 @@ constexpr std::array<const char*, 8> kRunFiles{"trajectory.csv", "footsteps.csv"
   throw ConfigError(folder.string() + ": error: " + why);
 }
 
+bool IsPlotFile(const fs::path& file) {
+  return file.extension() == ".svg" || file.extension() == ".png" || file.extension() == ".gp" ||
+         file.filename() == kThinnedFile;
+}
+
+bool IsProblemFile(const fs::path& file) {
+  return file.extension() == ".json" && file.filename().string().starts_with("mpc_");
+}
+
+void RemoveFrom(const fs::path& subfolder, bool (*is_ours)(const fs::path&)) {
+  if (!fs::is_directory(subfolder)) return;
+  for (const auto& entry : fs::directory_iterator(subfolder)) {
+    if (is_ours(entry.path())) fs::remove(entry.path());
+  }
+  if (fs::is_empty(subfolder)) fs::remove(subfolder);
+}
+
 // The mark goes last, so that a folder whose removal was cut short is still a run's.
 void RemoveRun(const fs::path& folder) {
-  const fs::path plots = folder / "plots";
-  if (fs::is_directory(plots)) {
-    for (const auto& entry : fs::directory_iterator(plots)) {
-      const fs::path file = entry.path();
-      const bool is_ours = file.extension() == ".svg" || file.extension() == ".png" ||
-                           file.extension() == ".gp" || file.filename() == kThinnedFile;
-      if (is_ours) fs::remove(file);
-    }
-    if (fs::is_empty(plots)) fs::remove(plots);
-  }
+  RemoveFrom(folder / "plots", IsPlotFile);
+  RemoveFrom(folder / "problems", IsProblemFile);
   for (const char* file : kRunFiles) fs::remove(folder / file);
 }
 

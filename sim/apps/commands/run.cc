@@ -28,16 +28,19 @@ struct RunArguments {
   bool is_quiet{false};
   bool no_video{false};
   bool no_plots{false};
+  bool dump_mpc{false};
   int jobs{1};
   std::vector<std::string> overrides;
 };
 
-RunResult Simulate(const Scenario& scenario, const fs::path& out_dir, bool is_quiet) {
-  Progress progress(scenario.name, is_quiet);
+RunResult Simulate(const Scenario& scenario, const fs::path& out_dir,
+                   const RunArguments& arguments) {
+  Progress progress(scenario.name, arguments.is_quiet);
   RunOptions options;
   options.out_dir = out_dir;
   options.command = CommandWords();
-  options.quiet = is_quiet;
+  options.quiet = arguments.is_quiet;
+  options.dump_every_problem = arguments.dump_mpc;
   options.progress = [&](double sim_time_s, double duration_s) {
     char detail[64];
     std::snprintf(detail, sizeof detail, "%.1f of %.1f s simulated", sim_time_s, duration_s);
@@ -94,7 +97,7 @@ int Run(const RunArguments& arguments) {
   const fs::path out_dir =
       arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir;
   PrepareOutFolder(out_dir, arguments.is_forced);
-  const RunResult result = Simulate(scenario, out_dir, arguments.is_quiet);
+  const RunResult result = Simulate(scenario, out_dir, arguments);
   if (!InterruptRequested()) Draw(scenario, out_dir, arguments);
   PrintVerdict(scenario.name, result);
   return ExitCodeOf(result.verdict.verdict_class);
@@ -112,6 +115,8 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--force", arguments->is_forced, "Replace the run that lies in the folder");
   command->add_flag("--no-video", arguments->no_video, "Draw no video");
   command->add_flag("--no-plots", arguments->no_plots, "Draw no plots");
+  command->add_flag("--dump-mpc", arguments->dump_mpc,
+                    "Write every MPC problem as JSON into DIR/problems, not only failed ones");
   command->add_option("-j,--jobs", arguments->jobs, "Processes that draw the video")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
