@@ -31,7 +31,9 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
 
 const RobotState& LegOdometry::Update(const SensorFrame& frame) {
   const Eigen::Quaterniond q_WU = frame.imu.q_WU.normalized();
-  Predict(q_WU * frame.imu.accelerometer_mps2 + rigid_body_->gravity_mps2());
+  // An accelerometer tells of the time since the frame before, which the first one has not.
+  if (has_frame_) Predict(q_WU * frame.imu.accelerometer_mps2 + rigid_body_->gravity_mps2());
+  has_frame_ = true;
 
   // Kinematics relative to the base: the belief's base position and velocity set to zero.
   state_.q_WB = q_WU * rigid_body_->q_BU().conjugate();

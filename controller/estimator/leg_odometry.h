@@ -45,6 +45,7 @@ class LegOdometry final : public StateEstimator {
   Eigen::VectorXd PHt_;   // scratch
   Eigen::RowVectorXd H_;  // scratch
   std::vector<bool> stands_;
+  bool has_frame_{false};
   RobotState state_;
 };
 

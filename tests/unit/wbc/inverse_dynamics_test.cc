@@ -172,7 +172,8 @@ TEST_F(InverseDynamicsTest, AskedForTooMuchTorquesStayWithinTheirLimits) {
 }
 
 TEST_F(InverseDynamicsTest, AskedForTooMuchForceStaysInTheFrictionPyramid) {
-  params_.attitude_weight = 0.0;  // else the base's attitude, which such a force turns, is the bound
+  // Such a force turns the base, whose attitude would otherwise be the bound.
+  params_.attitude_weight = 0.0;
   for (const double angle_rad : {0.0, 0.8, 2.0, -2.5}) {
     com_.a_WC = Eigen::Vector3d(50.0 * std::cos(angle_rad), 50.0 * std::sin(angle_rad), 0.0);
     EXPECT_TRUE(Solve().ok);

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// On frames made by hand, whose truth is known, and on MuJoCo's world with and without noise.
+#include "controller/estimator/leg_odometry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/control_loop.h"
+#include "tests/support/hopper_scenario.h"
+
+namespace sidestep {
+namespace {
+
+constexpr double kTick_s = 0.001;
+constexpr double kGravity_mps2 = 9.81;
+
+RobotDescription Hopper() {
+  return ReadRobotDescription(std::filesystem::path(SIDESTEP_SOURCE_DIR) /
+                              "models/hopper/robot.yaml");
+}
+
+/// What the hopper feels at home: standing, or with `stands` false falling freely.
+SensorFrame HomeFrame(bool stands) {
+  SensorFrame frame;
+  frame.joint_position = Eigen::Vector3d(0.0, 0.0, 0.15);
+  frame.joint_velocity.setZero(3);
+  frame.feet = {{stands ? 9.81 : 0.0}};
+  frame.imu.accelerometer_mps2.z() = stands ? kGravity_mps2 : 0.0;
+  return frame;
+}
+
+class LegOdometryTest : public testing::Test {
+ protected:
+  const RobotState& Feed(const SensorFrame& frame, int ticks) {
+    for (int i = 0; i < ticks - 1; ++i) odometry_.Update(frame);
+    return odometry_.Update(frame);
+  }
+
+  RigidBody body_{Hopper()};
+  EstimatorParams params_;
+  LegOdometry odometry_{Hopper(), params_, kTick_s, &body_};
+};
+
+TEST_F(LegOdometryTest, StandingStillItStaysWhereItStarted) {
+  const RobotState& state = Feed(HomeFrame(true), 2000);
+  EXPECT_LT((state.p_WB - Eigen::Vector3d(0.0, 0.0, 0.515)).norm(), 1e-9);
+  EXPECT_LT(state.v_WB.norm(), 1e-9);
+  EXPECT_TRUE(state.feet[0].in_contact);
+  EXPECT_LT((state.feet[0].p_WF - Eigen::Vector3d(0.0, 0.0, 0.015)).norm(), 1e-9);
+}
+
+TEST_F(LegOdometryTest, StandingFootFixesTheVelocityDespiteABiasedAccelerometer) {
+  SensorFrame frame = HomeFrame(true);
+  frame.imu.accelerometer_mps2.x() = 0.1;
+  // Integrated alone, 2 s of it are 0.2 m/s and 0.2 m.
+  const RobotState& state = Feed(frame, 2000);
+  EXPECT_LT(std::abs(state.v_WB.x()), 0.02);
+  EXPECT_LT(std::abs(state.p_WB.x()), 0.01);
+}
+
+TEST_F(LegOdometryTest, InFlightItIntegratesTheAccelerometer) {
+  SensorFrame frame = HomeFrame(false);
+  frame.imu.accelerometer_mps2 = {1.0, -0.5, 0.0};
+  constexpr int kTicks = 300;
+  const RobotState& state = Feed(frame, kTicks + 1);
+  const double time_s = kTicks * kTick_s;
+  const Eigen::Vector3d a(1.0, -0.5, -kGravity_mps2);
+  EXPECT_LT((state.v_WB - a * time_s).norm(), 1e-9);
+  const Eigen::Vector3d p = Eigen::Vector3d(0.0, 0.0, 0.515) + 0.5 * time_s * time_s * a;
+  EXPECT_LT((state.p_WB - p).norm(), 1e-9);
+  EXPECT_FALSE(state.feet[0].in_contact);
+}
+
+TEST_F(LegOdometryTest, AccelerometerIsTurnedIntoTheWorldByTheUnitsAttitude) {
+  SensorFrame frame = HomeFrame(false);
+  frame.imu.q_WU = Eigen::AngleAxisd(0.5 * 3.14159265358979, Eigen::Vector3d::UnitX());
+  frame.imu.accelerometer_mps2 = {0.0, kGravity_mps2, 1.0};
+  // By hand: a quarter turn about x takes y to z and z to -y.
+  EXPECT_LT((Feed(frame, 101).v_WB - Eigen::Vector3d(0.0, -0.1, 0.0)).norm(), 1e-9);
+}
+
+TEST_F(LegOdometryTest, FirstFrameIsTheStartWhateverTheAccelerometerSays) {
+  SensorFrame frame = HomeFrame(false);
+  frame.imu.accelerometer_mps2 = {100.0, 0.0, 0.0};
+  const RobotState& state = odometry_.Update(frame);
+  EXPECT_LT((state.p_WB - Eigen::Vector3d(0.0, 0.0, 0.515)).norm(), 1e-12);
+  EXPECT_LT(state.v_WB.norm(), 1e-12);
+}
+
+TEST_F(LegOdometryTest, VelocityErrorOfAFlightShrinksWithinAStance) {
+  SensorFrame flight = HomeFrame(false);
+  flight.imu.accelerometer_mps2 = {1.0, 0.0, kGravity_mps2};  // the truth does not move
+  EXPECT_NEAR(Feed(flight, 201).v_WB.x(), 0.2, 1e-9);
+  // Seventy times what the filter expects of its accelerometer: 0.2 * sqrt(200) ms.
+  const double landed_m = Feed(HomeFrame(true), 1).p_WB.x();
+  const RobotState& state = Feed(HomeFrame(true), 150);
+  EXPECT_LT(std::abs(state.v_WB.x()), 0.05) << "three quarters are gone in a hop's stance";
+  EXPECT_NEAR(state.p_WB.x(), landed_m, 0.02) << "a new foothold tells nothing of where it is";
+}
+
+TEST_F(LegOdometryTest, HeightErrorOfAFlightIsGoneSoonAfterTouchDown) {
+  SensorFrame flight = HomeFrame(false);
+  flight.imu.accelerometer_mps2 = {0.0, 0.0, kGravity_mps2 + 2.0};
+  EXPECT_NEAR(Feed(flight, 201).p_WB.z(), 0.515 + 0.04, 1e-9);
+  const RobotState& state = Feed(HomeFrame(true), 200);
+  EXPECT_NEAR(state.p_WB.z(), 0.515, 0.004) << "the floor is known to 2 mm";
+}
+
+TEST_F(LegOdometryTest, MovingJointsOfAStandingFootMoveTheBase) {
+  SensorFrame frame = HomeFrame(true);
+  constexpr double kSpeed_mps = 0.1;  // the leg grows
+  frame.joint_velocity[2] = kSpeed_mps;
+  for (int i = 0; i < 500; ++i) {
+    frame.joint_position[2] = 0.15 + kSpeed_mps * kTick_s * i;
+    odometry_.Update(frame);
+  }
+  const RobotState& state = odometry_.Update(frame);
+  EXPECT_NEAR(state.v_WB.z(), kSpeed_mps, 0.005);
+  EXPECT_NEAR(state.p_WB.z(), 0.515 + 0.05, 0.002);
+}
+
+/// Largest errors of the belief on a run of MuJoCo's world.
+struct Errors {
+  double height_m{0.0}, speed_mps{0.0}, drift_m{0.0}, com_m{0.0};
+  int flight_ticks{0}, stance_ticks{0};
+
+  void Add(const RobotState& state, const WorldTruth& truth) {
+    const Eigen::Vector3d position = state.p_WB - truth.p_WB;
+    height_m = std::max(height_m, std::abs(position.z()));
+    drift_m = std::max(drift_m, position.head<2>().norm());
+    speed_mps = std::max(speed_mps, (state.v_WB - truth.v_WB).norm());
+    com_m = std::max(com_m, ((state.p_WC - truth.p_WC) - position).norm());
+    ++(truth.feet[0].in_contact ? stance_ticks : flight_ticks);
+  }
+};
+
+TEST(LegOdometryOnMujocoTest, TumblingFreelyItFollowsThePerfectSensors) {
+  Scenario scenario = PlainHopper(10.0);
+  scenario.pushes = {TrunkPush({2.0, 1.0, 0.0}, 0.0, 0.1, {0.1, 0.1, 0.2})};
+  MujocoWorld world(scenario);
+  SensorSuite sensors(scenario, world.mass_kg());
+  RigidBody body(scenario.description_of_robot);
+  LegOdometry odometry(scenario.description_of_robot, scenario.control.estimation, kTick_s, &body);
+  Errors errors;
+  for (Tick tick = 0; tick <= 500; ++tick) {
+    errors.Add(odometry.Update(sensors.Read(world.truth(), tick)), world.truth());
+    world.Step(tick);
+  }
+  EXPECT_GT(world.truth().w_WB_B.norm(), 1.0) << "hardly a tumble";
+  // A first-order integration of a turning acceleration.
+  EXPECT_LT(errors.speed_mps, 0.02);
+  EXPECT_LT(errors.drift_m, 0.01);
+  EXPECT_LT(errors.height_m, 0.02);
+}
+
+Errors ErrorsInClosedLoop(double duration_s) {
+  Errors errors;
+  RunControlLoop(HoppingHopper(), duration_s,
+                 [&](Tick, const SensorFrame& frame, LocomotionController* controller,
+                     const WorldTruth& truth) -> const ControlTick& {
+                   const ControlTick& control = controller->Update(frame);
+                   errors.Add(control.state, truth);
+                   EXPECT_FALSE(truth.body_touches_ground);
+                   return control;
+                 });
+  return errors;
+}
+
+TEST(LegOdometryOnMujocoTest, HoppingOnNoisySensorsItKeepsHeightAndVelocity) {
+  const Errors errors = ErrorsInClosedLoop(2.0);
+  EXPECT_GT(errors.flight_ticks, 300);
+  EXPECT_GT(errors.stance_ticks, 300);
+  // Measured 1.3 mm, 10 mm/s, 0.8 mm and 0.02 mm; the sensors' noise of 1 mrad and 5 mrad/s on an
+  // arm of 0.5 m is 0.5 mm and 2.5 mm/s a frame.
+  EXPECT_LT(errors.height_m, 0.004);
+  EXPECT_LT(errors.speed_mps, 0.04);
+  EXPECT_LT(errors.drift_m, 0.005) << "a random walk: nothing tells where the robot is";
+  EXPECT_LT(errors.com_m, 0.0003) << "the CoM relative to the base comes from the encoders";
+}
+
+TEST(LegOdometryOnMujocoTest, StandingOnNoisySensorsItIsBetterStill) {
+  const Errors errors = ErrorsInClosedLoop(0.45);
+  EXPECT_LE(errors.flight_ticks, 1) << "no step has been taken at the start";
+  EXPECT_LT(errors.height_m, 0.002);
+  EXPECT_LT(errors.speed_mps, 0.02);
+  EXPECT_LT(errors.drift_m, 0.001);
+}
+
+}  // namespace
+}  // namespace sidestep
