@@ -11,6 +11,7 @@
 #include "models/support/config_error.h"
 #include "models/support/require.h"
 #include "tests/support/hopper_scenario.h"
+#include "tests/support/temp_folder.h"
 
 namespace sidestep {
 namespace {
@@ -215,7 +216,8 @@ TEST(MujocoWorldTest, PowerIsTorqueTimesSpeed) {
 TEST(MujocoWorldTest, DivergedPhysicsIsInvalidWithItsReasonForGood) {
   // MuJoCo logs its warnings into the working folder.
   const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(testing::TempDir());
+  const TempFolder folder;
+  std::filesystem::current_path(folder.path());
   Scenario scenario = PlainHopper(kHigh_m);
   scenario.pushes = {TrunkPush({1e13, 0.0, 0.0}, 0.0, 0.01, kTrunkCom_m)};
   MujocoWorld world(scenario);
