@@ -76,6 +76,7 @@ struct Judge::State {
   std::vector<Eigen::Vector3d> impulse_W_Ns;
   std::vector<Eigen::Vector3d> push_force_W_N;  // of the last tick, acting until the next one
   double energy_J{0.0};
+  double max_angular_momentum_kgm2ps{0.0};
   std::optional<Tick> slip_tick;
   std::optional<Tick> first_tick;
   Tick last_tick{0};
@@ -139,6 +140,8 @@ void Judge::State::Integrate(Tick tick, const WorldTruth& truth) {
   for (const PushTruth& push : truth.pushes) push_force_W_N.push_back(push.force_W_N);
   last_tick = tick;
   last_x_m = truth.p_WC.x();
+  max_angular_momentum_kgm2ps =
+      std::max(max_angular_momentum_kgm2ps, truth.angular_momentum.norm());
 }
 
 std::optional<Tick> Judge::State::FirstPushStart() const {
@@ -179,6 +182,7 @@ Metrics Judge::State::Measure() const {
       {"fall_time_s", has_fallen ? SecondsAt(*fall.fall_tick(), tick_s) : kNaN},
       {"min_base_height_m", first_tick ? fall.min_height_m() : kNaN},
       {"max_tilt_rad", fall.max_tilt_rad()},
+      {"max_angular_momentum_kgm2ps", max_angular_momentum_kgm2ps},
       {"max_slip_m", MaxSlip_m()},
       {"final_path_error_m", figures.final_path_error_m},
       {"final_speed_error_mps", figures.final_speed_error_mps},

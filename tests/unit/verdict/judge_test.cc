@@ -231,6 +231,15 @@ TEST(JudgeTest, AddsUpImpulseAndEnergyAsTheyActed) {
   EXPECT_NEAR(NumberOf(outcome, "energy_J"), 3.0 * 0.3, 1e-12);
 }
 
+TEST(JudgeTest, AngularMomentumIsTheLargestOfTheRunAsALength) {
+  const RunOutcome outcome =
+      OutcomeOf(OneFootScenario(), 300, [](Tick tick, WorldTruth& truth, ControlTick&) {
+        truth.angular_momentum =
+            tick == 100 ? Eigen::Vector3d(0.3, -0.4, 0.0) : Eigen::Vector3d(0.0, 0.0, 0.45);
+      });
+  EXPECT_NEAR(NumberOf(outcome, "max_angular_momentum_kgm2ps"), 0.5, 1e-12);
+}
+
 TEST(JudgeTest, SpeedAlongXIsAdvanceOverTime) {
   const RunOutcome outcome =
       OutcomeOf(OneFootScenario(), 400, [](Tick tick, WorldTruth& truth, ControlTick&) {
