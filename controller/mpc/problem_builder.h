@@ -19,7 +19,8 @@ namespace sidestep::mpc {
 /// What the builder must know of the robot.
 struct RobotModel {
   double mass_kg{1.0};
-  Eigen::Vector3d gravity_mps2{0.0, 0.0, -9.80665};
+  Eigen::Vector3d gravity_mps2{0.0, 0.0,
+                               -9.81};  ///< As both plants have it unless a model says otherwise.
   std::vector<std::string> foot_names;
   std::vector<Eigen::Matrix3Xd> vertices_m;  ///< One a foot, 3 x n_v, in F.
 };
