@@ -17,11 +17,23 @@ target_link_options(sidestep_options INTERFACE
   $<$<BOOL:${SIDESTEP_SANITIZE}>:-fsanitize=address,undefined>)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
+# Headers that nearly every file reads, parsed once for the rooms and once for the tests.
+set(SIDESTEP_COMMON_HEADERS
+    <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <filesystem> <functional> <map> <memory>
+    <optional> <sstream> <string> <vector>)
+add_library(sidestep_common_headers STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cc)
+target_link_libraries(sidestep_common_headers PUBLIC sidestep_options PkgConfig::EIGEN3)
+target_precompile_headers(sidestep_common_headers PRIVATE ${SIDESTEP_COMMON_HEADERS})
+add_library(sidestep_test_headers STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cc)
+target_link_libraries(sidestep_test_headers PUBLIC sidestep_options PkgConfig::EIGEN3 GTest::gtest)
+target_precompile_headers(sidestep_test_headers PRIVATE ${SIDESTEP_COMMON_HEADERS} <gtest/gtest.h>)
+
 # sidestep_room(<name> SOURCES ... DEPENDS ...): static library sidestep_<name>.
 function(sidestep_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(sidestep_${name} STATIC ${ROOM_SOURCES})
   target_link_libraries(sidestep_${name} PUBLIC sidestep_options PkgConfig::EIGEN3 ${ROOM_DEPENDS})
+  target_precompile_headers(sidestep_${name} REUSE_FROM sidestep_common_headers)
 endfunction()
 
 # sidestep_test(<file without _test.cc> DEPENDS ... [LABEL unit]): one executable, its cases in ctest.
@@ -36,7 +48,9 @@ function(sidestep_test name)
     set(TEST_TIMEOUT 300)
   endif()
   add_executable(${name}_test ${name}_test.cc)
-  target_link_libraries(${name}_test PRIVATE sidestep_options ${TEST_DEPENDS} GTest::gtest_main)
+  target_link_libraries(${name}_test PRIVATE sidestep_options ${TEST_DEPENDS} PkgConfig::EIGEN3
+                        GTest::gtest_main)
+  target_precompile_headers(${name}_test REUSE_FROM sidestep_test_headers)
   target_compile_definitions(${name}_test PRIVATE
     SIDESTEP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     SIDESTEP_BINARY="$<$<TARGET_EXISTS:sidestep>:$<TARGET_FILE:sidestep>>")
