@@ -146,7 +146,7 @@ TEST_F(RobotErrorTest, Keys) {
             "robot.yaml:5:10: error: mass_kg is told by the MJCF; leave it out");
   EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trunk\ncolour: red"),
             "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
-            "com_height_m, mjcf, mass_kg, base, imu, base_height_m, home, feet");
+            "com_height_m, mjcf, mass_kg, base, imu, base_height_m, home, feet, control");
   EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: foot, size: 1"),
             "robot.yaml:10:31: error: feet.0.size is not a known key; known keys: name, frame, "
             "vertices_m, sole_height_m");
