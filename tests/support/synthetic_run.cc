@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/synthetic_run.h"
 
+#include <unistd.h>
+
 #include <Eigen/Core>
 #include <cmath>
 #include <fstream>
@@ -326,9 +328,23 @@ void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run
       << "}\nvideo: {size: [160, 120], fps: 20}\n";
 }
 
+namespace {
+
+// A folder of this process alone, since ctest runs cases side by side; gone when the process ends.
+struct ProcessFolder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("sidestep_tests_" + std::to_string(::getpid()));
+  ~ProcessFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+}  // namespace
+
 std::filesystem::path FreshTestDir(const std::string& name) {
-  const std::filesystem::path dir =
-      std::filesystem::temp_directory_path() / "sidestep_tests" / name;
+  static const ProcessFolder folder;
+  const std::filesystem::path dir = folder.path / name;
   std::filesystem::remove_all(dir);
   std::filesystem::create_directories(dir);
   return dir;
