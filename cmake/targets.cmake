@@ -37,6 +37,7 @@ function(sidestep_room name)
 endfunction()
 
 # sidestep_test(<file without _test.cc> DEPENDS ... [LABEL unit]): one executable, its cases in ctest.
+# Target <label>_tests builds all of a label.
 # SIDESTEP_SOURCE_DIR and SIDESTEP_BINARY (the program) are defined for tests that need files.
 include(GoogleTest)
 function(sidestep_test name)
@@ -48,6 +49,10 @@ function(sidestep_test name)
     set(TEST_TIMEOUT 300)
   endif()
   add_executable(${name}_test ${name}_test.cc)
+  if(NOT TARGET ${TEST_LABEL}_tests)
+    add_custom_target(${TEST_LABEL}_tests)
+  endif()
+  add_dependencies(${TEST_LABEL}_tests ${name}_test)
   target_link_libraries(${name}_test PRIVATE sidestep_options ${TEST_DEPENDS} PkgConfig::EIGEN3
                         GTest::gtest_main)
   target_precompile_headers(${name}_test REUSE_FROM sidestep_test_headers)
