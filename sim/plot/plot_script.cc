@@ -72,8 +72,10 @@ std::string Curve(const std::string& column, const std::string& style, const std
 
 std::string PushKey(const PlotData& data) {
   if (data.pushes.empty()) return "keyentry with points pointtype 0 title ' '";
-  return std::string("keyentry with boxes fillcolor rgb \"") + kPushColor +
-         "\" fillstyle transparent solid 0.16 noborder title 'push'";
+  std::string key = "keyentry with boxes fillcolor rgb \"";
+  key += kPushColor;
+  key += "\" fillstyle transparent solid 0.16 noborder title 'push'";
+  return key;
 }
 
 }  // namespace sidestep::plot
