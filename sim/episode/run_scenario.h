@@ -16,9 +16,8 @@ namespace sidestep {
 struct RunOptions {
   std::filesystem::path out_dir;     ///< Created if need be; see Recorder for what it holds.
   std::vector<std::string> command;  ///< The program's arguments, for summary.json.
-  bool quiet{false};
   bool dump_every_problem{false};    ///< Not only failed MPC problems; see ProblemDump.
-  EpisodeProgress progress;  ///< May be empty.
+  EpisodeProgress progress;          ///< May be empty.
 };
 
 struct RunResult {

@@ -39,7 +39,6 @@ RunResult Simulate(const Scenario& scenario, const fs::path& out_dir,
   RunOptions options;
   options.out_dir = out_dir;
   options.command = CommandWords();
-  options.quiet = arguments.is_quiet;
   options.dump_every_problem = arguments.dump_mpc;
   options.progress = [&](double sim_time_s, double duration_s) {
     char detail[64];
