@@ -14,9 +14,12 @@ struct CentroidalFootCommand {
   bool in_contact{false};
 };
 
-/// Joint torques for a robot, or contact forces for the centroidal plant.
+/// Joint torques, or references of the joints' servos, or contact forces for the centroidal plant.
+/// Joint vectors are in the order of the actuators.
 struct ActuatorCommand {
-  Eigen::VectorXd torque_Nm;  ///< In the order of the actuators; N for a slide.
+  Eigen::VectorXd torque_Nm;       ///< N for a slide; empty when the servos are in charge.
+  Eigen::VectorXd joint_position;  ///< Servo reference (rad); empty under torque control.
+  Eigen::VectorXd joint_velocity;  ///< Servo reference (rad/s); as long as joint_position.
   std::vector<CentroidalFootCommand> centroidal_feet;  ///< Empty but on the centroidal plant.
 };
 

@@ -10,27 +10,37 @@
 #include "controller/types/field.h"
 #include "controller/types/gait_params.h"
 #include "controller/types/mpc_params.h"
+#include "controller/types/position_params.h"
 
 namespace sidestep {
 
 enum class ControlMode {
-  kTorque,   ///< Whole-body inverse dynamics.
-  kPassive,  ///< Does nothing: zero torque. The negative control of every scenario.
+  kTorque,    ///< Whole-body inverse dynamics.
+  kPosition,  ///< Whole-body inverse kinematics, integrated to references of the joints' servos.
+  kPassive,   ///< Does nothing: zero torque. The negative control of every scenario.
 };
 
 template <>
 struct EnumNames<ControlMode> {
-  static constexpr std::array<std::pair<ControlMode, std::string_view>, 2> kNames{
-      {{ControlMode::kTorque, "torque"}, {ControlMode::kPassive, "passive"}}};
+  static constexpr std::array<std::pair<ControlMode, std::string_view>, 3> kNames{
+      {{ControlMode::kTorque, "torque"},
+       {ControlMode::kPosition, "position"},
+       {ControlMode::kPassive, "passive"}}};
 };
 
 /// What the controller knows of a push.
-enum class ExternalWrenchKnowledge { kUnknown, kKnown };
+enum class ExternalWrenchKnowledge {
+  kUnknown,    ///< Nothing but what it does to the state.
+  kEstimated,  ///< What the force/torque sensors of the arms feel.
+  kKnown       ///< All, from the simulation.
+};
 
 template <>
 struct EnumNames<ExternalWrenchKnowledge> {
-  static constexpr std::array<std::pair<ExternalWrenchKnowledge, std::string_view>, 2> kNames{
-      {{ExternalWrenchKnowledge::kUnknown, "unknown"}, {ExternalWrenchKnowledge::kKnown, "known"}}};
+  static constexpr std::array<std::pair<ExternalWrenchKnowledge, std::string_view>, 3> kNames{
+      {{ExternalWrenchKnowledge::kUnknown, "unknown"},
+       {ExternalWrenchKnowledge::kEstimated, "estimated"},
+       {ExternalWrenchKnowledge::kKnown, "known"}}};
 };
 
 enum class EstimatorKind { kSensors, kTruth };
@@ -80,6 +90,8 @@ struct EstimatorParams {
   double foot_velocity_noise_mps{0.05};
   double foot_slip_noise_mps{0.01};  ///< Random walk of a standing foot.
   double contact_threshold_N{0.3};
+  double wrench_cutoff_hz{10.0};  ///< Low-pass of the estimated external wrench.
+  double wrench_deadband_N{5.0};  ///< An estimated force below this is taken for none.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -88,6 +100,8 @@ struct EstimatorParams {
     visit("foot_velocity_noise_mps", self.foot_velocity_noise_mps, Range{1e-6, 10.0});
     visit("foot_slip_noise_mps", self.foot_slip_noise_mps, Range{1e-6, 10.0});
     visit("contact_threshold_N", self.contact_threshold_N, Range{0.0, 1e4});
+    visit("wrench_cutoff_hz", self.wrench_cutoff_hz, Range{0.1, 1e4});
+    visit("wrench_deadband_N", self.wrench_deadband_N, Range{0.0, 1e3});
   }
 };
 
@@ -99,6 +113,7 @@ struct ControlParams {
   PlannerParams planner;
   MpcParams mpc;
   WbcParams wbc;
+  PositionParams position;
   EstimatorParams estimation;
 
   template <typename Self, typename Visitor>
@@ -110,6 +125,7 @@ struct ControlParams {
     visit("planner", self.planner);
     visit("mpc", self.mpc);
     visit("wbc", self.wbc);
+    visit("position", self.position);
     visit("estimation", self.estimation);
   }
 };

@@ -14,7 +14,10 @@ struct FootState {
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
   Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d w_WF{Eigen::Vector3d::Zero()};  ///< Angular velocity, in W.
   bool in_contact{false};
+  Wrench
+      wrench;  ///< Ground on foot about F, in W, as its sensors feel it; force z only from touch.
 };
 
 struct RobotState {

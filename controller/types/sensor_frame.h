@@ -19,9 +19,9 @@ struct ImuSample {
   Eigen::Vector3d accelerometer_mps2{Eigen::Vector3d::Zero()};  ///< Specific force, in U.
 };
 
-/// What a foot feels.
+/// What a foot with a touch sensor feels.
 struct FootSample {
-  double normal_force_N{0.0};  ///< >= 0, from the touch sensor under the sole.
+  double normal_force_N{0.0};  ///< >= 0, from the touch sensor under the sole; 0 without one.
 };
 
 /// State of the whole robot as the simulator has it; present only under `estimator: truth`.
@@ -47,6 +47,9 @@ struct SensorFrame {
   Eigen::VectorXd joint_position;  ///< rad, or m for a slide.
   Eigen::VectorXd joint_velocity;  ///< rad/s or m/s.
   std::vector<FootSample> feet;
+  /// One a force/torque sensor of the robot: what its distal part does to its proximal part, in the
+  /// sensor's site, about its origin. May be older than the rest (sensors.wrench_delay_s).
+  std::vector<Wrench> force_torque;
   std::optional<TruthSample> truth;
   std::optional<CentroidalSample> centroidal;
   /// The push acting now, about the CoM, in W; present only under `external_wrench: known`.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "models/mjcf/mjcf.h"
 #include "models/robot_description/mjcf_names.h"
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
@@ -156,6 +157,8 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   map.RejectUnknownKeys();
   return robot;
 }
+
+std::string MjcfOf(const RobotDescription& robot) { return ReadTextFile(robot.mjcf); }
 
 RobotNames NamesIn(const RobotDescription& description) {
   RobotNames names;

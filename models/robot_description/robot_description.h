@@ -10,29 +10,60 @@
 
 namespace sidestep {
 
-/// One foot. Its frame F is a site of the MJCF (or a point of the centroidal plant); the site's body
-/// is the foot, and all that may touch the ground. The MJCF has a touch sensor called `<name>_touch`.
+/// One foot. Its frame F is a site of the MJCF (or a point of the centroidal plant); the site's
+/// body, with all that is welded to it, is the foot, and all that may touch the ground. The foot
+/// feels the ground by the force/torque sensors it names or, if it names none, by a touch sensor
+/// called
+/// `<name>_touch`.
 struct FootDescription {
   std::string name;
-  std::string frame;            ///< Site F.
+  std::string frame;                      ///< Site F.
+  std::vector<std::string> force_torque;  ///< Of RobotDescription::force_torque.
   Eigen::Matrix3Xd vertices_m;  ///< 3 x n_v, in F; one column at the origin is a point foot.
   double sole_height_m{0.0};    ///< Height of F above the ground while the foot stands.
 };
 
-/// A robot as the program loads it. The MJCF has sensors `<imu>_orientation` (framequat),
-/// `<imu>_gyro` and `<imu>_accelerometer` at site `<imu>`, and one motor an actuated joint.
+/// What robot.yaml adds to an actuated joint. The servo is what stands between a position reference
+/// and the joint's torque: stiffness (q_ref - q) + damping (v_ref - v), within the motor's limit.
+struct JointDescription {
+  std::string name;
+  double servo_stiffness_Nm_per_rad{0.0};
+  double servo_damping_Nms_per_rad{0.0};
+  double velocity_limit_radps{0.0};
+  double posture_weight{1.0};  ///< Of the whole-body posture task.
+};
+
+/// A robot as the program loads it. Its model has sensors `<imu>_orientation` (framequat),
+/// `<imu>_gyro` and `<imu>_accelerometer` at site `<imu>`, `<name>_force` and `<name>_torque` at
+/// site
+/// `<name>` for every force/torque sensor, and one motor an actuated joint.
 struct RobotDescription {
   std::string name;
   std::filesystem::path file;  ///< The robot.yaml it was read from.
-  std::filesystem::path mjcf;  ///< Absolute; empty for a robot of the centroidal plant only.
+  std::filesystem::path mjcf;  ///< Absolute; empty for a URDF and for the centroidal plant only.
+  std::filesystem::path urdf;  ///< Absolute; empty unless the robot is a URDF.
   double mass_kg{0.0};         ///< Given only when there is no MJCF to tell it; else 0.
   std::string base;            ///< Body B that carries the free joint.
   std::string imu;             ///< Site U.
-  double com_height_m{0.0};    ///< Nominal CoM above the ground.
-  double base_height_m{0.0};   ///< Base origin above the ground at the start.
+  std::string torso;         ///< Site whose orientation the whole-body control holds; may be empty.
+  double com_height_m{0.0};  ///< Nominal CoM above the ground.
+  double base_height_m{0.0};  ///< Base origin above the ground at the start.
+  Eigen::Vector3d base_rpy_rad{Eigen::Vector3d::Zero()};  ///< Base attitude at the start.
+  std::vector<JointDescription> joints;   ///< In the order of the actuators; empty without servos.
+  std::vector<std::string> force_torque;  ///< Sensors, each at a site of its name.
+  std::vector<std::string> arm_force_torque;  ///< Those of them that feel what is done to the arms.
   std::map<std::string, double> home;  ///< Joint positions at the start (rad or m); 0 if absent.
   std::vector<FootDescription> feet;   ///< At least one.
 };
+
+/// Whether the robot has a rigid-body model; without one it lives on the centroidal plant only.
+inline bool HasModel(const RobotDescription& robot) {
+  return !robot.mjcf.empty() || !robot.urdf.empty();
+}
+
+/// The MJCF of a robot that has a model: its file's text, or what its URDF becomes.
+/// Throws ConfigError if the file can't be read or converted.
+std::string MjcfOf(const RobotDescription& robot);
 
 /// Reads a robot.yaml, but for its `control` block: this robot's own defaults of a scenario's
 /// `control`, which only ReadScenario understands. Throws ConfigError with file:line:column.

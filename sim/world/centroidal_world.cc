@@ -16,10 +16,10 @@ constexpr char kCom[] = "com";     // as the drawn stand-in and the scenario's p
 
 double MassOf(const RobotDescription& robot) {
   if (robot.mass_kg > 0.0) return robot.mass_kg;
-  if (robot.mjcf.empty()) {
+  if (!HasModel(robot)) {
     throw ConfigError(robot.file.string() + ": error: mass_kg is missing and there is no MJCF");
   }
-  const MjModelPtr model = CompileMjcf(ReadTextFile(robot.mjcf), "", robot.mjcf);
+  const MjModelPtr model = CompileMjcf(MjcfOf(robot), "", robot.mjcf);
   return mj_getTotalmass(model.get());
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/mjcf/quaternion.h"
+#include "models/robot_description/home_pose.h"
 #include "models/support/require.h"
 #include "sim/world/world_model.h"
 
@@ -24,7 +25,7 @@ MujocoWorld::MujocoWorld(const Scenario& scenario)
       pushes_(scenario.pushes, scenario.world.step_s),
       mass_kg_(mj_getTotalmass(model_.get())) {
   ResolveNames(scenario);
-  PlaceAtHome(scenario.description_of_robot);
+  PlaceAtHome(*model_, scenario.description_of_robot, data_.get());
   mj_forward(model_.get(), data_.get());
   mj_step1(model_.get(), data_.get());
   ReadState();
@@ -60,14 +61,6 @@ void MujocoWorld::ResolveNames(const Scenario& scenario) {
     pushed_.push_back(object);
   }
   pushed_poses_.resize(pushed_.size());
-}
-
-void MujocoWorld::PlaceAtHome(const RobotDescription& robot) {
-  const int root = model_->jnt_qposadr[model_->body_jntadr[base_body_]];
-  data_->qpos[root + 2] = robot.base_height_m;
-  for (const auto& [name, position] : robot.home) {
-    data_->qpos[model_->jnt_qposadr[RequireId(*model_, mjOBJ_JOINT, name)]] = position;
-  }
 }
 
 void MujocoWorld::Apply(const ActuatorCommand& command) {

@@ -43,7 +43,6 @@ class MujocoWorld final : public World {
 
   void ResolveNames(const Scenario& scenario);
   int SensorAddress(const std::string& name) const;
-  void PlaceAtHome(const RobotDescription& robot);
   void UpdatePushes(Tick tick);
   void ApplyPushes();
   void ReadContacts();

@@ -76,7 +76,7 @@ MjModelPtr CompileWorld(const Scenario& scenario) {
     xml << CentroidalStandIn(robot);
   }
   xml << "</mujoco>";
-  MjModelPtr model = CompileMjcf(xml.str(), has_robot ? ReadTextFile(robot.mjcf) : std::string(),
+  MjModelPtr model = CompileMjcf(xml.str(), has_robot ? MjcfOf(robot) : std::string(),
                                  has_robot ? robot.mjcf : robot.file);
   for (int geom = 0; geom < model->ngeom; ++geom) {
     model->geom_friction[3 * geom] = scenario.world.friction;

@@ -53,7 +53,7 @@ void SaveMjcf(const RobotDescription& robot, const std::filesystem::path& file) 
   scenario.name = robot.name;
   scenario.robot = robot.name;
   scenario.description_of_robot = robot;
-  if (robot.mjcf.empty()) scenario.plant = Plant::kCentroidal;
+  if (!HasModel(robot)) scenario.plant = Plant::kCentroidal;
   const MjModelPtr model = CompileWorld(scenario);
   WriteTextFile(file, "");  // makes its folder, or says why not
   std::array<char, 1000> error{};

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// position_params: gains of the whole-body inverse kinematics and of what corrects it.
+
+#include "controller/types/field.h"
+
+namespace sidestep {
+
+/// The stack of tasks over base twist and joint velocities, and the CoM-ZMP correction before it.
+/// Gains make velocities of position errors; defaults as the paper's iCub experiment.
+/// Source: Romualdi et al. (ICRA 2022), section III-C; CoM-ZMP correction: Choi et al., "Posture/
+/// walking control for humanoid robot based on kinematic resolution of CoM Jacobian with embedded
+/// motion", IEEE Trans. Robotics 23 (2007).
+struct PositionParams {
+  double foot_linear_gain_per_s{5.0};
+  double foot_angular_gain_per_s{4.0};
+  double com_gain_per_s{10.0};
+  double torso_gain_per_s{5.0};
+  double torso_weight{1.0};
+  double posture_gain_per_s{5.0};
+  double posture_weight{1e-2};        ///< Times each joint's own weight.
+  double com_feedback_per_s{4.0};     ///< Of the planned CoM minus the believed one.
+  double zmp_feedback_per_s{0.3};     ///< Of the believed ZMP minus the planned one.
+  bool compensates_deflection{true};  ///< Adds torque over stiffness to the servos' references.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    const Range gain{0.0, 1e3};
+    visit("foot_linear_gain_per_s", self.foot_linear_gain_per_s, gain);
+    visit("foot_angular_gain_per_s", self.foot_angular_gain_per_s, gain);
+    visit("com_gain_per_s", self.com_gain_per_s, gain);
+    visit("torso_gain_per_s", self.torso_gain_per_s, gain);
+    visit("torso_weight", self.torso_weight, gain);
+    visit("posture_gain_per_s", self.posture_gain_per_s, gain);
+    visit("posture_weight", self.posture_weight, gain);
+    visit("com_feedback_per_s", self.com_feedback_per_s, gain);
+    visit("zmp_feedback_per_s", self.zmp_feedback_per_s, gain);
+    visit("compensates_deflection", self.compensates_deflection);
+  }
+};
+
+}  // namespace sidestep

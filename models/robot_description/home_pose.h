@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// home_pose: where a robot is when a run begins. Plant and controller must agree on it.
+
+#include <mujoco/mujoco.h>
+
+#include "models/robot_description/robot_description.h"
+
+namespace sidestep {
+
+/// Writes the configuration at the start into `data->qpos`: joints at robot.home, the base at its
+/// height and attitude, the midpoint of the feet over the world's origin. Leaves `data` with the
+/// kinematics of that configuration. Throws ConfigError for names that the model lacks.
+void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* data);
+
+}  // namespace sidestep
