@@ -51,7 +51,7 @@ inline RobotDescription CrookedRobot(const TempFolder& folder) {
   robot.com_height_m = 0.9;
   robot.base_height_m = 1.0;
   const Eigen::Matrix3Xd point = Eigen::Vector3d::Zero();
-  robot.feet = {{"left", "left_sole", point, 0.0}, {"right", "right_sole", point, 0.0}};
+  robot.feet = {{"left", "left_sole", {}, point, 0.0}, {"right", "right_sole", {}, point, 0.0}};
   return robot;
 }
 
