@@ -10,6 +10,7 @@
 #include "controller/estimator/truth_estimator.h"
 #include "controller/model/upright.h"
 #include "controller/wbc/inverse_dynamics.h"
+#include "controller/wbc/inverse_kinematics.h"
 
 namespace sidestep {
 namespace {
@@ -19,10 +20,8 @@ Tick HorizonTicks(const LocomotionSetup& setup) {
 }
 
 GaitPlanner MakePlanner(const LocomotionSetup& setup) {
-  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()),
-                              setup.robot.com_height_m,
-                              setup.robot.feet.front().sole_height_m,
-                              setup.control.mpc.box_lower_m,
+  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()), setup.robot.com_height_m,
+                              setup.robot.feet.front().sole_height_m, setup.control.mpc.box_lower_m,
                               setup.control.mpc.box_upper_m};
   const Tick horizon = HorizonTicks(setup);
   const Tick end = TickAt(setup.duration_s, setup.tick_s) + 2 * horizon;
@@ -43,21 +42,25 @@ mpc::RobotModel MakeRobotModel(const LocomotionSetup& setup, const RigidBody* ri
 
 std::unique_ptr<StateEstimator> MakeEstimator(const LocomotionSetup& setup, RigidBody* rigid_body) {
   const EstimatorParams& params = setup.control.estimation;
+  const double dt_s = 1.0 / setup.control.rate_hz;
   if (rigid_body == nullptr) {
     return std::make_unique<CentroidalEstimator>(static_cast<int>(setup.robot.feet.size()),
                                                  setup.robot.mass_kg, params.contact_threshold_N);
   }
   if (setup.control.estimator == EstimatorKind::kTruth) {
-    return std::make_unique<TruthEstimator>(params, rigid_body);
+    return std::make_unique<TruthEstimator>(setup.robot, params, dt_s, rigid_body);
   }
-  return std::make_unique<LegOdometry>(setup.robot, params, 1.0 / setup.control.rate_hz,
-                                       rigid_body);
+  return std::make_unique<LegOdometry>(setup.robot, params, dt_s, rigid_body);
 }
 
 std::unique_ptr<wbc::WholeBody> MakeWholeBody(const LocomotionSetup& setup,
                                               const RigidBody* rigid_body) {
   if (setup.control.mode == ControlMode::kPassive) return std::make_unique<wbc::Passive>();
   if (rigid_body == nullptr) return std::make_unique<wbc::CentroidalForces>();
+  if (setup.control.mode == ControlMode::kPosition) {
+    return std::make_unique<wbc::InverseKinematics>(setup.robot, setup.control.position,
+                                                    1.0 / setup.control.rate_hz);
+  }
   return std::make_unique<wbc::InverseDynamics>(setup.robot, setup.control.wbc, rigid_body);
 }
 
@@ -97,7 +100,9 @@ const ControlTick& LocomotionController::Update(const SensorFrame& frame) {
 void LocomotionController::Estimate(const SensorFrame& frame) {
   const ScopedStage stage(timer_, Stage::kEstimator);
   tick_.state = estimator_->Update(frame);
-  tick_.state.external_wrench = frame.known_external_wrench.value_or(Wrench{});
+  if (setup_.control.external_wrench != ExternalWrenchKnowledge::kEstimated) {
+    tick_.state.external_wrench = frame.known_external_wrench.value_or(Wrench{});
+  }
 }
 
 void LocomotionController::Plan() {
@@ -165,7 +170,8 @@ void LocomotionController::TargetFoot(std::size_t foot) {
   SwingFoot& swing = swing_[foot];
   const bool stands = target.planned_contact && tick_.state.feet[foot].in_contact;
   if (stood && !target.planned_contact) {
-    swing.set_height(SwingHeightAt(tick_.tick));
+    const GaitParams& gait = GaitAt(tick_.tick);
+    swing.set_shape({gait.swing_height_m, gait.landing_speed_mps});
     swing.LiftOff(tick_.state.feet[foot].p_WF, tick_.tick);
   }
   if (stands || (setup_.is_centroidal && target.planned_contact)) {
@@ -180,12 +186,12 @@ void LocomotionController::TargetFoot(std::size_t foot) {
   target.a_WF = swing.acceleration();
 }
 
-double LocomotionController::SwingHeightAt(Tick tick) const {
-  double height_m = setup_.gait.front().swing_height_m;
+const GaitParams& LocomotionController::GaitAt(Tick tick) const {
+  const GaitParams* gait = &setup_.gait.front();
   for (const GaitParams& segment : setup_.gait) {
-    if (TickAt(segment.start_s, setup_.tick_s) <= tick) height_m = segment.swing_height_m;
+    if (TickAt(segment.start_s, setup_.tick_s) <= tick) gait = &segment;
   }
-  return height_m;
+  return *gait;
 }
 
 }  // namespace sidestep

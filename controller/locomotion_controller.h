@@ -47,7 +47,7 @@ class LocomotionController {
   void TargetFeet();
   void SampleReferences();
   void TargetFoot(std::size_t foot);
-  double SwingHeightAt(Tick tick) const;
+  const GaitParams& GaitAt(Tick tick) const;
 
   LocomotionSetup setup_;
   StageTimer* timer_;

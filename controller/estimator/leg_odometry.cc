@@ -15,7 +15,11 @@ Eigen::Index FootAt(std::size_t foot) { return kFeet + 3 * static_cast<Eigen::In
 
 LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
                          RigidBody* rigid_body)
-    : robot_(robot), params_(params), dt_s_(dt_s), rigid_body_(rigid_body) {
+    : robot_(robot),
+      params_(params),
+      dt_s_(dt_s),
+      rigid_body_(rigid_body),
+      forces_(robot, params, dt_s, rigid_body) {
   const Eigen::Index size = FootAt(robot.feet.size());
   x_.setZero(size);
   P_.setIdentity(size, size);
@@ -24,9 +28,9 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
   H_.setZero(size);
   stands_.assign(robot.feet.size(), false);
   state_.feet.resize(robot.feet.size());
-  state_.joint_position.setZero(rigid_body->num_actuators());
-  state_.joint_velocity.setZero(rigid_body->num_actuators());
-  x_.head<3>() = Eigen::Vector3d(0.0, 0.0, robot.base_height_m) + rigid_body->p_BU();
+  rigid_body->WriteHome(&state_);
+  rigid_body->Update(state_);
+  x_.head<3>() = rigid_body->imu().p_WU;
 }
 
 const RobotState& LegOdometry::Update(const SensorFrame& frame) {
@@ -34,21 +38,17 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame) {
   // An accelerometer tells of the time since the frame before, which the first one has not.
   if (has_frame_) Predict(q_WU * frame.imu.accelerometer_mps2 + rigid_body_->gravity_mps2());
   has_frame_ = true;
-
-  // Kinematics relative to the base: the belief's base position and velocity set to zero.
-  state_.q_WB = q_WU * rigid_body_->q_BU().conjugate();
-  state_.w_WB_B = rigid_body_->q_BU() * frame.imu.gyro_radps;
   state_.joint_position = frame.joint_position;
   state_.joint_velocity = frame.joint_velocity;
-  state_.p_WB.setZero();
-  state_.v_WB.setZero();
-  rigid_body_->Update(state_);
-  const Eigen::Vector3d p_BU_W = state_.q_WB * rigid_body_->p_BU();
-  const Eigen::Vector3d v_BU_W = state_.q_WB * state_.w_WB_B.cross(rigid_body_->p_BU());
+  OrientBase(q_WU, frame.imu.gyro_radps);
 
+  // Kinematics relative to the base: its position and velocity are zero so far.
+  rigid_body_->FillDerived(&state_);
+  forces_.Update(frame, &state_);
+  const Eigen::Vector3d p_BU_W = rigid_body_->imu().p_WU;
+  const Eigen::Vector3d v_BU_W = rigid_body_->imu().v_WU;
   for (std::size_t i = 0; i < robot_.feet.size(); ++i) {
-    const bool touches = frame.feet[i].normal_force_N > params_.contact_threshold_N;
-    state_.feet[i].in_contact = touches;
+    const bool touches = state_.feet[i].in_contact;
     if (touches != stands_[i]) ReleaseFoot(i);
     stands_[i] = touches;
     if (!touches) continue;
@@ -59,7 +59,22 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame) {
   state_.v_WB = x_.segment<3>(kVelocity) - v_BU_W;
   rigid_body_->Update(state_);
   rigid_body_->FillDerived(&state_);
+  forces_.NoteVelocity(rigid_body_->velocity());
   return state_;
+}
+
+// Base attitude and rate from the IMU's, which may ride on another body: what joints turn between
+// base and IMU is taken off. Leaves the rigid body at the belief, base at the origin and at rest.
+void LegOdometry::OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U) {
+  state_.p_WB.setZero();
+  state_.v_WB.setZero();
+  state_.q_WB.setIdentity();
+  state_.w_WB_B.setZero();
+  rigid_body_->Update(state_);
+  const Eigen::Matrix3d R_BU = rigid_body_->imu().R_WU;
+  state_.q_WB = (q_WU * Eigen::Quaterniond(R_BU.transpose())).normalized();
+  state_.w_WB_B = R_BU * w_WU_U - rigid_body_->imu().w_WU;
+  rigid_body_->Update(state_);
 }
 
 void LegOdometry::Predict(const Eigen::Vector3d& a_WU) {

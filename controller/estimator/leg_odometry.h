@@ -2,7 +2,8 @@
 #pragma once
 // leg_odometry: a Kalman filter of base and footholds from the IMU and the legs' encoders.
 //
-// Attitude and angular rate come from the IMU. The filter's state is
+// Attitude and angular rate come from the IMU, by way of the joints between it and the base; which
+// feet stand is what force sensing says. The filter's state is
 //   x = [p_WU, v_WU, p_WF_1 .. p_WF_n]     (IMU position and velocity, footholds; all in W)
 // predicted with the accelerometer, corrected by a standing foot's kinematics: the foot is where
 // its foothold is, does not move, and stands on flat ground at its sole's height.
@@ -13,6 +14,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "controller/estimator/force_sensing.h"
 #include "controller/estimator/state_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
@@ -22,14 +24,15 @@ namespace sidestep {
 class LegOdometry final : public StateEstimator {
  public:
   /// `rigid_body` must outlive the estimator; Update() leaves it at the new state.
-  /// `dt_s` is the time between frames. The base starts upright over the world's origin, at the
-  /// robot's base height.
+  /// `dt_s` is the time between frames. The base starts where the
+  /// robot's home pose has it.
   LegOdometry(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
               RigidBody* rigid_body);
 
   const RobotState& Update(const SensorFrame& frame) override;
 
  private:
+  void OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U);
   void Predict(const Eigen::Vector3d& a_WU);
   void ReleaseFoot(std::size_t foot);
   void CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W, const Eigen::Vector3d& v_UF_W);
@@ -40,6 +43,7 @@ class LegOdometry final : public StateEstimator {
   EstimatorParams params_;
   double dt_s_;
   RigidBody* rigid_body_;
+  ForceSensing forces_;
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd PHt_;   // scratch

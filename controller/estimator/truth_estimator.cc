@@ -5,8 +5,9 @@
 
 namespace sidestep {
 
-TruthEstimator::TruthEstimator(const EstimatorParams& params, RigidBody* rigid_body)
-    : params_(params), rigid_body_(rigid_body) {
+TruthEstimator::TruthEstimator(const RobotDescription& robot, const EstimatorParams& params,
+                               double dt_s, RigidBody* rigid_body)
+    : rigid_body_(rigid_body), forces_(robot, params, dt_s, rigid_body) {
   state_.feet.resize(rigid_body->feet().size());
   state_.joint_position.setZero(rigid_body->num_actuators());
   state_.joint_velocity.setZero(rigid_body->num_actuators());
@@ -20,11 +21,10 @@ const RobotState& TruthEstimator::Update(const SensorFrame& frame) {
   state_.w_WB_B = frame.truth->w_WB_B;
   state_.joint_position = frame.joint_position;
   state_.joint_velocity = frame.joint_velocity;
-  for (std::size_t i = 0; i < state_.feet.size(); ++i) {
-    state_.feet[i].in_contact = frame.feet[i].normal_force_N > params_.contact_threshold_N;
-  }
   rigid_body_->Update(state_);
   rigid_body_->FillDerived(&state_);
+  forces_.Update(frame, &state_);
+  forces_.NoteVelocity(rigid_body_->velocity());
   return state_;
 }
 

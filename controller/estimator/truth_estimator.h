@@ -3,6 +3,7 @@
 // truth_estimator: estimators that are told the state: `estimator: truth`, and the centroidal
 // plant.
 
+#include "controller/estimator/force_sensing.h"
 #include "controller/estimator/state_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
@@ -13,12 +14,14 @@ namespace sidestep {
 class TruthEstimator final : public StateEstimator {
  public:
   /// `rigid_body` must outlive the estimator; Update() leaves it at the new state.
-  TruthEstimator(const EstimatorParams& params, RigidBody* rigid_body);
+  /// `dt_s` is the time between frames.
+  TruthEstimator(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
+                 RigidBody* rigid_body);
   const RobotState& Update(const SensorFrame& frame) override;
 
  private:
-  EstimatorParams params_;
   RigidBody* rigid_body_;
+  ForceSensing forces_;
   RobotState state_;
 };
 

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/model/rigid_body.h"
 
+#include <limits>
+
 #include "models/mjcf/quaternion.h"
+#include "models/robot_description/home_pose.h"
 #include "models/support/require.h"
 
 namespace sidestep {
 namespace {
 
 // World around the robot for the controller: nothing but gravity.
+using ConstVector3Map = Eigen::Map<const Eigen::Vector3d>;
+using ConstMatrix3Map = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+// MuJoCo's force and torque sensors tell what the parent does to the child; we tell the opposite.
+constexpr double kDistalOnProximal = -1.0;
+
 constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.xml\"/></mujoco>";
 
 }  // namespace
@@ -24,7 +33,13 @@ RigidBody::RigidBody(const RobotDescription& robot)
   velocity_.setZero(nv);
   com_jacobian_.setZero(3, nv);
   feet_.resize(robot.feet.size());
-  for (FootKinematics& foot : feet_) foot.J.setZero(3, nv);
+  for (FootKinematics& foot : feet_) {
+    foot.J.setZero(3, nv);
+    foot.J_rot.setZero(3, nv);
+  }
+  torso_.J_rot.setZero(3, nv);
+  PlaceAtHome(*model_, robot, data_.get());
+  home_position_ = Eigen::Map<const Eigen::VectorXd>(data_->qpos, model_->nq);
   mass_kg_ = mj_getTotalmass(model_.get());
 }
 
@@ -35,17 +50,29 @@ void RigidBody::ResolveNames(const RobotDescription& robot) {
   for (const FootDescription& foot : robot.feet) {
     foot_site_.push_back(RequireId(*model_, mjOBJ_SITE, foot.frame));
   }
-  const int imu = RequireId(*model_, mjOBJ_SITE, robot.imu);
-  SIDESTEP_REQUIRE(model_->site_bodyid[imu] == base_body_, robot.imu);
-  p_BU_ = Eigen::Map<const Eigen::Vector3d>(model_->site_pos + 3 * imu);
-  q_BU_ = FromMuJoCo(model_->site_quat + 4 * imu);
+  imu_site_ = RequireId(*model_, mjOBJ_SITE, robot.imu);
+  if (!robot.torso.empty()) torso_site_ = RequireId(*model_, mjOBJ_SITE, robot.torso);
+  for (const std::string& name : robot.force_torque) {
+    const auto address = [&](const char* suffix) {
+      return model_->sensor_adr[RequireId(*model_, mjOBJ_SENSOR, name + suffix)];
+    };
+    force_torque_ids_.push_back(
+        {RequireId(*model_, mjOBJ_SITE, name), address("_force"), address("_torque")});
+  }
+  force_torque_.resize(force_torque_ids_.size());
   torque_limit_Nm_.setZero(model_->nu);
+  joint_lower_.setConstant(model_->nu, -std::numeric_limits<double>::infinity());
+  joint_upper_.setConstant(model_->nu, std::numeric_limits<double>::infinity());
   for (int actuator = 0; actuator < model_->nu; ++actuator) {
     SIDESTEP_REQUIRE(model_->actuator_trntype[actuator] == mjTRN_JOINT, actuator);
     const int joint = model_->actuator_trnid[2 * actuator];
     actuated_position_.push_back(model_->jnt_qposadr[joint]);
     actuated_velocity_.push_back(model_->jnt_dofadr[joint]);
     torque_limit_Nm_[actuator] = model_->actuator_ctrlrange[2 * actuator + 1];
+    if (model_->jnt_limited[joint] != 0) {
+      joint_lower_[actuator] = model_->jnt_range[2 * joint];
+      joint_upper_[actuator] = model_->jnt_range[2 * joint + 1];
+    }
   }
 }
 
@@ -84,6 +111,46 @@ void RigidBody::Update(const RobotState& state) {
   v_WC_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_linvel + 3 * base_body_);
   angular_momentum_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_angmom + 3 * base_body_);
   UpdateFeet();
+  UpdateImu();
+  if (has_torso()) {
+    torso_.R_WT = ConstMatrix3Map(data->site_xmat + 9 * torso_site_);
+    mj_jacSite(model, data, nullptr, torso_.J_rot.data(), torso_site_);
+  }
+}
+
+void RigidBody::UpdateImu() {
+  imu_.p_WU = ConstVector3Map(data_->site_xpos + 3 * imu_site_);
+  imu_.R_WU = ConstMatrix3Map(data_->site_xmat + 9 * imu_site_);
+  mjtNum twist[6];  // [angular; linear]
+  mj_objectVelocity(model_.get(), data_.get(), mjOBJ_SITE, imu_site_, twist, 0);
+  imu_.w_WU = ConstVector3Map(twist);
+  imu_.v_WU = ConstVector3Map(twist + 3);
+}
+
+void RigidBody::UpdateForceTorque(const Eigen::VectorXd& nudot) {
+  Eigen::Map<Eigen::VectorXd>(data_->qacc, model_->nv) = nudot;
+  mj_sensorAcc(model_.get(), data_.get());
+  for (std::size_t i = 0; i < force_torque_.size(); ++i) {
+    const ForceTorqueIds& ids = force_torque_ids_[i];
+    force_torque_[i].p_WS = ConstVector3Map(data_->site_xpos + 3 * ids.site);
+    force_torque_[i].R_WS = ConstMatrix3Map(data_->site_xmat + 9 * ids.site);
+    force_torque_[i].unloaded.force_N =
+        kDistalOnProximal * ConstVector3Map(data_->sensordata + ids.force);
+    force_torque_[i].unloaded.torque_Nm =
+        kDistalOnProximal * ConstVector3Map(data_->sensordata + ids.torque);
+  }
+}
+
+void RigidBody::WriteHome(RobotState* state) const {
+  state->p_WB = home_position_.head<3>();
+  state->q_WB = FromMuJoCo(home_position_.data() + 3);
+  state->v_WB.setZero();
+  state->w_WB_B.setZero();
+  state->joint_position.setZero(model_->nu);
+  state->joint_velocity.setZero(model_->nu);
+  for (std::size_t i = 0; i < actuated_position_.size(); ++i) {
+    state->joint_position[static_cast<Eigen::Index>(i)] = home_position_[actuated_position_[i]];
+  }
 }
 
 void RigidBody::UpdateFeet() {
@@ -98,8 +165,9 @@ void RigidBody::UpdateFeet() {
     foot.p_WF = Eigen::Map<const Eigen::Vector3d>(data->site_xpos + 3 * site);
     foot.R_WF =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data->site_xmat + 9 * site);
-    mj_jacSite(model, data, foot.J.data(), nullptr, site);
+    mj_jacSite(model, data, foot.J.data(), foot.J_rot.data(), site);
     foot.v_WF.noalias() = foot.J * velocity_;
+    foot.w_WF.noalias() = foot.J_rot * velocity_;
     mjtNum acceleration[6];  // [angular; linear]
     mj_objectAcceleration(model, data, mjOBJ_SITE, site, acceleration, 0);
     foot.bias_mps2 = Eigen::Map<const Eigen::Vector3d>(acceleration + 3) + gravity_mps2_;
@@ -114,6 +182,7 @@ void RigidBody::FillDerived(RobotState* state) const {
     state->feet[i].p_WF = feet_[i].p_WF;
     state->feet[i].R_WF = feet_[i].R_WF;
     state->feet[i].v_WF = feet_[i].v_WF;
+    state->feet[i].w_WF = feet_[i].w_WF;
   }
 }
 

@@ -25,8 +25,32 @@ struct FootKinematics {
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
   Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d w_WF{Eigen::Vector3d::Zero()};
   Jacobian3 J;                                         ///< 3 x nv, velocity of F in W.
+  Jacobian3 J_rot;                                     ///< 3 x nv, angular velocity of F in W.
   Eigen::Vector3d bias_mps2{Eigen::Vector3d::Zero()};  ///< Jdot nu.
+};
+
+/// Motion of the IMU's site U at the current state, in W.
+struct ImuKinematics {
+  Eigen::Vector3d p_WU{Eigen::Vector3d::Zero()};
+  Eigen::Matrix3d R_WU{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d v_WU{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d w_WU{Eigen::Vector3d::Zero()};
+};
+
+/// Orientation of the torso's site at the current state.
+struct TorsoKinematics {
+  Eigen::Matrix3d R_WT{Eigen::Matrix3d::Identity()};
+  Jacobian3 J_rot;  ///< 3 x nv, angular velocity in W.
+};
+
+/// A force/torque sensor at the current state: its site, and what it would read were nothing but
+/// gravity and inertia acting on its distal part.
+struct ForceTorqueKinematics {
+  Eigen::Vector3d p_WS{Eigen::Vector3d::Zero()};
+  Eigen::Matrix3d R_WS{Eigen::Matrix3d::Identity()};
+  Wrench unloaded;  ///< Distal on proximal, in S, about S.
 };
 
 /// The nominal robot. Update() evaluates everything at one state; the rest reads it.
@@ -37,6 +61,13 @@ class RigidBody {
 
   /// Evaluates at the base and joint state of `state`. Does not allocate.
   void Update(const RobotState& state);
+
+  /// Predicts the force/torque sensors for the acceleration `nudot` (nv) at the state of the last
+  /// Update(). Does not allocate.
+  void UpdateForceTorque(const Eigen::VectorXd& nudot);
+
+  /// Base position and attitude and joints at the start of a run; the rest of `state` is zero.
+  void WriteHome(RobotState* state) const;
 
   /// Writes p_WC, v_WC, angular_momentum and the feet's pose and velocity into `state`, which must
   /// be the state given to Update(). Leaves in_contact alone.
@@ -53,14 +84,18 @@ class RigidBody {
   const Jacobian3& com_jacobian() const { return com_jacobian_; }      ///< 3 x nv, in W.
   const Eigen::Vector3d& com_bias_mps2() const { return com_bias_mps2_; }
   const std::vector<FootKinematics>& feet() const { return feet_; }
+  const ImuKinematics& imu() const { return imu_; }
+  bool has_torso() const { return torso_site_ >= 0; }
+  const TorsoKinematics& torso() const { return torso_; }
+  const std::vector<ForceTorqueKinematics>& force_torque() const { return force_torque_; }
 
   /// Index in nu of each actuator's joint, in the order of the actuators.
   const std::vector<int>& actuated_velocity() const { return actuated_velocity_; }
   const Eigen::VectorXd& torque_limit_Nm() const { return torque_limit_Nm_; }
 
-  /// Pose of the IMU in the base.
-  const Eigen::Vector3d& p_BU() const { return p_BU_; }
-  const Eigen::Quaterniond& q_BU() const { return q_BU_; }
+  /// Position limits of each actuator's joint (rad); infinite where there is none.
+  const Eigen::VectorXd& joint_lower() const { return joint_lower_; }
+  const Eigen::VectorXd& joint_upper() const { return joint_upper_; }
 
   /// Locked inertia about the base's origin, in B: the base block of M (kg m^2).
   Eigen::Matrix3d base_inertia() const { return mass_matrix_.block<3, 3>(3, 3); }
@@ -69,6 +104,7 @@ class RigidBody {
   void ResolveNames(const RobotDescription& robot);
   void SetState(const RobotState& state);
   void UpdateFeet();
+  void UpdateImu();
 
   MjModelPtr model_;
   MjDataPtr data_;
@@ -79,8 +115,15 @@ class RigidBody {
   std::vector<int> actuated_position_;  // index in qpos
   std::vector<int> actuated_velocity_;
   Eigen::VectorXd torque_limit_Nm_;
-  Eigen::Vector3d p_BU_;
-  Eigen::Quaterniond q_BU_;
+  Eigen::VectorXd joint_lower_;
+  Eigen::VectorXd joint_upper_;
+  int imu_site_{0};
+  int torso_site_{-1};
+  struct ForceTorqueIds {
+    int site{0}, force{0}, torque{0};  // addresses in sensordata
+  };
+  std::vector<ForceTorqueIds> force_torque_ids_;
+  Eigen::VectorXd home_position_;  // qpos
 
   Eigen::MatrixXd mass_matrix_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> mass_matrix_rows_;
@@ -92,6 +135,9 @@ class RigidBody {
   Eigen::Vector3d v_WC_;
   Eigen::Vector3d angular_momentum_;
   std::vector<FootKinematics> feet_;
+  ImuKinematics imu_;
+  TorsoKinematics torso_;
+  std::vector<ForceTorqueKinematics> force_torque_;
 };
 
 }  // namespace sidestep

@@ -2,6 +2,7 @@
 #include "controller/planner/nominal_gait.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "models/support/require.h"
@@ -70,10 +71,12 @@ class GaitWriter {
   }
   bool OnGround(int foot) { return Contacts(foot).back().contact.end_tick == kForever; }
   double FootX(int foot) { return Contacts(foot).back().contact.nominal_p_WF.x(); }
+  double& PathY(int foot) { return path_y_of_foot_m_[static_cast<std::size_t>(foot)]; }
 
   void Land(int foot, Tick tick, const GaitParams& gait) {
-    double y_m = 0.0;
-    if (geometry_.num_feet == 2) y_m = (foot == 0 ? 0.5 : -0.5) * gait.step_width_m;
+    double y_m = path_y_m_;
+    if (geometry_.num_feet == 2) y_m += (foot == 0 ? 0.5 : -0.5) * gait.step_width_m;
+    PathY(foot) = path_y_m_;
     NominalContact next;
     next.contact.index = static_cast<int>(Contacts(foot).size());
     next.contact.start_tick = tick;
@@ -95,14 +98,16 @@ class GaitWriter {
   // Midpoint of the feet on the ground at this moment; y on the path.
   void AddComKnot(Tick tick, bool at_rest) {
     double x_sum_m = 0.0;
+    double y_sum_m = 0.0;
     int standing = 0;
     for (int foot = 0; foot < geometry_.num_feet; ++foot) {
       if (!OnGround(foot)) continue;
       x_sum_m += FootX(foot);
+      y_sum_m += PathY(foot);
       ++standing;
     }
     SIDESTEP_REQUIRE(standing > 0, standing);
-    const Eigen::Vector3d p_WC(x_sum_m / standing, 0.0, geometry_.com_height_m);
+    const Eigen::Vector3d p_WC(x_sum_m / standing, y_sum_m / standing, geometry_.com_height_m);
     gait_.com.push_back({tick, p_WC, sequence_, at_rest});
   }
 
@@ -119,7 +124,7 @@ class GaitWriter {
     AddComKnot(now_, true);
   }
 
-  bool FeetSideBySide() { return OnGround(0) && OnGround(1) && FootX(0) == FootX(1); }
+  bool FeetSideBySide() { return OnGround(0) && OnGround(1) && FootX(0) == FootX(1) && PathY(0) == PathY(1); }
 
   void WalkStep(const GaitParams& gait) {
     const int swing = next_foot_;
@@ -156,6 +161,7 @@ class GaitWriter {
 
   void Advance(int foot, Tick landing, const GaitParams& gait) {
     path_x_m_ += gait.step_length_m;
+    path_y_m_ += gait.step_side_m;
     Land(foot, landing, gait);
     if (geometry_.num_feet == 2) next_foot_ = 1 - foot;
     now_ = landing;
@@ -168,6 +174,8 @@ class GaitWriter {
   const GaitParams* previous_{nullptr};
   Tick now_{0};
   double path_x_m_{0.0};
+  double path_y_m_{0.0};
+  std::array<double, 2> path_y_of_foot_m_{};  // of the path, where each foot landed last
   int next_foot_{0};
   int sequence_{0};
 };

@@ -33,7 +33,8 @@ class SwingFoot {
   /// After landing_tick the foot goes on down at the landing speed until the contact is felt.
   void Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Tick tick);
 
-  void set_height(double height_m) { shape_.height_m = height_m; }
+  /// Shape of the swings to come.
+  void set_shape(const SwingShape& shape) { shape_ = shape; }
   Eigen::Vector3d position() const;
   Eigen::Vector3d velocity() const;
   Eigen::Vector3d acceleration() const;

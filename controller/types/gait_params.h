@@ -24,14 +24,16 @@ struct EnumNames<GaitType> {
 /// One stretch of the nominal gait, from start_s to the next stretch's start.
 struct GaitParams {
   GaitType type{GaitType::kStand};
-  double start_s{0.0};           ///< The gait changes at the first touch-down from here on.
-  double step_length_m{0.0};     ///< Advance along x from one touch-down to the next.
-  double step_width_m{0.16};     ///< Distance of the feet along y; 0 for one foot.
-  double swing_s{0.6};           ///< walk: a foot's time in the air.
-  double double_support_s{0.2};  ///< walk: both feet on the ground, once a step.
-  double stance_s{0.2};          ///< run, hop: a foot's time on the ground.
-  double flight_s{0.2};          ///< run, hop: no foot on the ground, once a step.
-  double swing_height_m{0.05};   ///< Apex of the sole above the ground.
+  double start_s{0.0};            ///< The gait changes at the first touch-down from here on.
+  double step_length_m{0.0};      ///< Advance along x from one touch-down to the next.
+  double step_width_m{0.16};      ///< Distance of the feet along y; 0 for one foot.
+  double swing_s{0.6};            ///< walk: a foot's time in the air.
+  double double_support_s{0.2};   ///< walk: both feet on the ground, once a step.
+  double stance_s{0.2};           ///< run, hop: a foot's time on the ground.
+  double flight_s{0.2};           ///< run, hop: no foot on the ground, once a step.
+  double swing_height_m{0.05};    ///< Apex of the sole above the ground.
+  double landing_speed_mps{0.3};  ///< Downward, at touch-down and after it until contact is felt.
+  double step_side_m{0.0};        ///< Advance along y (left) from one touch-down to the next.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -44,6 +46,8 @@ struct GaitParams {
     visit("stance_s", self.stance_s, Range{0.02, 5.0});
     visit("flight_s", self.flight_s, Range{0.0, 2.0});
     visit("swing_height_m", self.swing_height_m, Range{0.0, 0.5});
+    visit("landing_speed_mps", self.landing_speed_mps, Range{0.0, 2.0});
+    visit("step_side_m", self.step_side_m, Range{-0.5, 0.5});
   }
 };
 

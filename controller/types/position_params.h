@@ -18,10 +18,12 @@ struct PositionParams {
   double torso_gain_per_s{5.0};
   double torso_weight{1.0};
   double posture_gain_per_s{5.0};
-  double posture_weight{1e-2};        ///< Times each joint's own weight.
-  double com_feedback_per_s{4.0};     ///< Of the planned CoM minus the believed one.
-  double zmp_feedback_per_s{0.3};     ///< Of the believed ZMP minus the planned one.
-  bool compensates_deflection{true};  ///< Adds torque over stiffness to the servos' references.
+  double posture_weight{1e-2};         ///< Times each joint's own weight.
+  double com_feedback_per_s{4.0};      ///< Of the planned CoM minus the believed one.
+  double zmp_feedback_per_s{0.3};      ///< Of the believed ZMP minus the planned one.
+  double position_anchor_per_s{10.0};  ///< Commanded feet towards the believed ones.
+  double attitude_anchor_per_s{10.0};  ///< Commanded base towards the believed one.
+  bool compensates_deflection{true};   ///< Adds torque over stiffness to the servos' references.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -35,6 +37,8 @@ struct PositionParams {
     visit("posture_weight", self.posture_weight, gain);
     visit("com_feedback_per_s", self.com_feedback_per_s, gain);
     visit("zmp_feedback_per_s", self.zmp_feedback_per_s, gain);
+    visit("position_anchor_per_s", self.position_anchor_per_s, gain);
+    visit("attitude_anchor_per_s", self.attitude_anchor_per_s, gain);
     visit("compensates_deflection", self.compensates_deflection);
   }
 };

@@ -23,7 +23,6 @@ struct ClosedLoopRun {
         std::filesystem::path(SIDESTEP_SOURCE_DIR) / "scenarios" / (name + ".yaml");
     RunOptions options;
     options.out_dir = folder.path();
-    options.quiet = true;
     verdict = RunScenario(ReadScenario(file, overrides), options).verdict;
   }
 

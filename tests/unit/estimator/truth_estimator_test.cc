@@ -27,7 +27,7 @@ SensorFrame Frame() {
 
 TEST(TruthEstimatorTest, BelievesTheTruthAndDerivesTheRestFromIt) {
   RigidBody body(Hopper()), other(Hopper());
-  TruthEstimator estimator(EstimatorParams{}, &body);
+  TruthEstimator estimator(Hopper(), EstimatorParams{}, 0.001, &body);
   const SensorFrame frame = Frame();
   const RobotState& state = estimator.Update(frame);
   EXPECT_EQ(state.p_WB, frame.truth->p_WB);
@@ -48,7 +48,7 @@ TEST(TruthEstimatorTest, FootStandsAboveTheContactThreshold) {
   RigidBody body(Hopper());
   EstimatorParams params;
   params.contact_threshold_N = 2.0;
-  TruthEstimator estimator(params, &body);
+  TruthEstimator estimator(Hopper(), params, 0.001, &body);
   SensorFrame frame = Frame();
   EXPECT_FALSE(estimator.Update(frame).feet[0].in_contact) << "at the threshold";
   frame.feet[0].normal_force_N = 2.1;
@@ -57,7 +57,7 @@ TEST(TruthEstimatorTest, FootStandsAboveTheContactThreshold) {
 
 TEST(TruthEstimatorTest, FrameWithoutTruthBreaksTheContract) {
   RigidBody body(Hopper());
-  TruthEstimator estimator(EstimatorParams{}, &body);
+  TruthEstimator estimator(Hopper(), EstimatorParams{}, 0.001, &body);
   SensorFrame frame = Frame();
   frame.truth.reset();
   EXPECT_THROW(estimator.Update(frame), ContractViolation);

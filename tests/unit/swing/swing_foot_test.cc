@@ -138,7 +138,7 @@ TEST(SwingFootTest, NewSwingForgetsTheLastOne) {
 
 TEST(SwingFootTest, HeightMayBeSetForTheNextSwing) {
   SwingFoot swing(kShape, kTick_s);
-  swing.set_height(0.15);
+  swing.set_shape({.height_m = 0.15});
   swing.LiftOff(kStart, 0);
   for (Tick tick = 0; tick <= 100; ++tick) swing.Update(kTarget, 200, tick);
   EXPECT_NEAR(swing.position().z(), kStart.z() + 0.15, kRounding);

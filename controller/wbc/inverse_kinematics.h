@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// inverse_kinematics: references of the joints' servos from CoM, feet, torso and posture, by one
+// QP.
+//
+//   minimise   w_T |J_T nu - w_T*|^2 + sum_j w_j (qdot_j - k (q_home_j - q_j))^2
+//   over       nu (nv): base twist and joint velocities
+//   subject to J_F nu = v_F* for both feet's poses, J_C nu = v_C*, and joint position and velocity
+//              limits
+//
+// nu is integrated to the *commanded* robot, a kinematic state of its own; its joints are the
+// servos' references. Starred velocities are feed-forward plus gain times error of the commanded
+// robot. Measurements enter by the CoM velocity (com_zmp_correction) and by the anchor: a rigid
+// motion of the commanded robot, which leaves its joints alone and keeps it where the belief sees
+// the standing feet and the base's attitude.
+// Source: Romualdi et al. (ICRA 2022), section III-C.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/model/rigid_body.h"
+#include "controller/types/control_params.h"
+#include "controller/wbc/qp/dense_qp.h"
+#include "controller/wbc/servo_deflection.h"
+#include "controller/wbc/whole_body.h"
+
+namespace sidestep::wbc {
+
+class InverseKinematics final : public WholeBody {
+ public:
+  /// `dt_s` is the control period. The robot must have servos (RobotDescription::joints).
+  InverseKinematics(const RobotDescription& robot, const PositionParams& params, double dt_s);
+
+  WbcReport Solve(const RobotState& state, const ComTarget& com,
+                  const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
+
+ private:
+  /// Where a standing foot is held.
+  struct Hold {
+    bool active{false};
+    Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
+  };
+
+  void Start(const RobotState& state);
+  void Anchor(const RobotState& state);
+  void Build(const Eigen::Vector3d& v_WC, const RobotState& state,
+             const std::vector<FootTarget>& feet);
+  void AddFoot(std::size_t foot, const FootTarget& target, bool stands);
+  void AddTorso(const std::vector<FootTarget>& feet);
+  void AddPosture();
+  void AddJointLimits();
+  void AddSoftCom(const Eigen::Vector3d& v_WC);
+  const DenseQpSolution& SolveQp(Eigen::Index equalities);
+  void Integrate(const Eigen::VectorXd& nu);
+  Eigen::Index Joint(std::size_t actuator) const;
+
+  RobotDescription robot_;
+  PositionParams params_;
+  double dt_s_;
+  RigidBody body_;  // at the commanded state
+  RobotState commanded_;
+  bool started_{false};
+  Eigen::Index nv_;
+  Eigen::VectorXd home_;     // posture, one a joint
+  std::vector<Hold> holds_;  // one a foot
+  std::vector<Eigen::Matrix3Xd> vertices_m_;
+  ServoDeflection deflection_;
+  DenseQpProblem qp_;
+  DenseQpSolver solver_;
+  Eigen::VectorXd nu_;
+};
+
+}  // namespace sidestep::wbc
