@@ -4,7 +4,6 @@
 #include <system_error>
 #include <utility>
 
-#include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
 #include "sim/record/footsteps_csv.h"
 #include "sim/record/output_file.h"
@@ -12,7 +11,6 @@
 #include "sim/record/summary.h"
 #include "sim/record/trajectory_table.h"
 #include "sim/scenario/write_scenario.h"
-#include "sim/world/world_model.h"
 
 namespace sidestep {
 namespace {
@@ -26,18 +24,6 @@ std::vector<std::string> FootNames(const Scenario& scenario) {
     names.push_back(foot.name);
   }
   return names;
-}
-
-// Which joints slide decides the units of their columns; only the model knows.
-std::vector<JointColumn> JointColumns(const Scenario& scenario, const World& world) {
-  std::vector<JointColumn> columns;
-  if (world.joint_names().empty()) return columns;
-  const MjModelPtr model = CompileWorld(scenario);
-  for (const std::string& name : world.joint_names()) {
-    const int joint = RequireId(*model, mjOBJ_JOINT, name);
-    columns.push_back({name, model->jnt_type[joint] == mjJNT_SLIDE});
-  }
-  return columns;
 }
 
 // Makes the folder and clears what would belie a run that ends early.
@@ -69,7 +55,7 @@ struct Recorder::State {
       : scenario(scenario_of_run),
         run_dir(PrepareFolder(folder)),
         feet(FootNames(scenario)),
-        table(feet, JointColumns(scenario, world)),
+        table(feet, world.joints()),
         trajectory(run_dir / "trajectory.csv"),
         states(run_dir / "states.bin"),
         mpc(run_dir / "mpc.csv") {

@@ -64,7 +64,7 @@ double Entry(const Eigen::VectorXd& vector, std::size_t at) {
 
 }  // namespace
 
-TrajectoryTable::TrajectoryTable(std::vector<std::string> feet, std::vector<JointColumn> joints)
+TrajectoryTable::TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints)
     : feet_(std::move(feet)), joints_(std::move(joints)) {}
 
 std::string TrajectoryTable::Header() const {

@@ -14,12 +14,6 @@
 
 namespace sidestep {
 
-/// An actuated joint as columns name it.
-struct JointColumn {
-  std::string name;
-  bool is_slide{false};  ///< In N and m, not N m and rad.
-};
-
 /// What one row shows.
 struct TrajectoryRow {
   double time_s;
@@ -31,7 +25,7 @@ struct TrajectoryRow {
 
 class TrajectoryTable {
  public:
-  TrajectoryTable(std::vector<std::string> feet, std::vector<JointColumn> joints);
+  TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints);
 
   /// The first line, with its end.
   std::string Header() const;
@@ -47,7 +41,7 @@ class TrajectoryTable {
   void WalkPlan(const ControlTick& control, Line& line) const;
 
   std::vector<std::string> feet_;
-  std::vector<JointColumn> joints_;
+  std::vector<JointInfo> joints_;
 };
 
 }  // namespace sidestep

@@ -60,17 +60,20 @@ struct Push {
 };
 
 struct WorldParams {
-  double friction{0.8};  ///< Sliding coefficient between foot and floor.
-  double step_s{0.001};  ///< One physics step, one tick.
+  double friction{0.8};    ///< Sliding coefficient between foot and floor.
+  double step_s{0.001};    ///< One physics step, one tick.
+  double mass_scale{1.0};  ///< Every mass and inertia of the plant over what the controller takes.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     visit("friction", self.friction, Range{0.0, 10.0});
     visit("step_s", self.step_s, Range{1e-5, 0.02});
+    visit("mass_scale", self.mass_scale, Range{0.5, 2.0});
   }
 };
 
-/// Noise of the sensors (standard deviations), their delay and dropout.
+/// Errors of the sensors: noise (standard deviations, drawn anew each frame), biases (constant),
+/// delay and dropout.
 struct SensorParams {
   double gyro_noise_radps{0.0};
   double accelerometer_noise_mps2{0.0};
@@ -78,8 +81,17 @@ struct SensorParams {
   double encoder_noise_rad{0.0};  ///< Per joint; m for a slide.
   double encoder_velocity_noise_radps{0.0};
   double touch_noise_N{0.0};
-  double delay_s{0.0};  ///< Age of a frame when the controller sees it.
-  double dropout{0.0};  ///< Probability that a frame repeats the last one.
+  double delay_s{0.0};        ///< Age of a frame when the controller sees it.
+  double dropout{0.0};        ///< Probability that a frame repeats the last one.
+  double force_noise_N{0.0};  ///< Of the force/torque sensors, per axis.
+  double torque_noise_Nm{0.0};
+  /// Added to every force/torque sensor, in its own axes (N).
+  Eigen::Vector3d force_bias_N{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d gyro_bias_radps{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d accelerometer_bias_mps2{Eigen::Vector3d::Zero()};
+  /// Standard deviation of the encoders' constant errors, one a joint, which the seed decides.
+  double encoder_bias_rad{0.0};
+  double wrench_delay_s{0.0};  ///< Age of the force/torque readings beyond delay_s.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -91,6 +103,13 @@ struct SensorParams {
     visit("touch_noise_N", self.touch_noise_N, Range{0.0, 100.0});
     visit("delay_s", self.delay_s, Range{0.0, 0.1});
     visit("dropout", self.dropout, Range{0.0, 0.9});
+    visit("force_noise_N", self.force_noise_N, Range{0.0, 100.0});
+    visit("torque_noise_Nm", self.torque_noise_Nm, Range{0.0, 100.0});
+    visit("force_bias_N", self.force_bias_N, Range{-100.0, 100.0});
+    visit("gyro_bias_radps", self.gyro_bias_radps, Range{-1.0, 1.0});
+    visit("accelerometer_bias_mps2", self.accelerometer_bias_mps2, Range{-10.0, 10.0});
+    visit("encoder_bias_rad", self.encoder_bias_rad, Range{0.0, 0.1});
+    visit("wrench_delay_s", self.wrench_delay_s, Range{0.0, 0.1});
   }
 };
 

@@ -4,8 +4,30 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "models/support/require.h"
 
 namespace sidestep {
+namespace {
+
+// Sets the draws of the biases apart from those of the noise: 2^64 over the golden ratio.
+constexpr std::uint64_t kBiasStream = 0x9E3779B97F4A7C15U;
+
+std::size_t NumFrames(double delay_s, double rate_hz) {
+  return static_cast<std::size_t>(std::llround(delay_s * rate_hz));
+}
+
+Eigen::VectorXd DrawBiases(std::uint64_t seed, double deviation, Eigen::Index size) {
+  std::mt19937_64 random(seed ^ kBiasStream);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  Eigen::VectorXd biases(size);
+  for (double& bias : biases) bias = deviation * normal(random);
+  return biases;
+}
+
+}  // namespace
 
 SensorSuite::SensorSuite(const Scenario& scenario, double mass_kg)
     : params_(scenario.sensors),
@@ -13,9 +35,14 @@ SensorSuite::SensorSuite(const Scenario& scenario, double mass_kg)
       tells_truth_(scenario.control.estimator == EstimatorKind::kTruth),
       tells_push_(scenario.control.external_wrench == ExternalWrenchKnowledge::kKnown),
       mass_kg_(mass_kg),
-      delay_frames_(static_cast<std::size_t>(
-          std::llround(scenario.sensors.delay_s * scenario.control.rate_hz))),
-      random_(scenario.seed) {}
+      delay_frames_(NumFrames(scenario.sensors.delay_s, scenario.control.rate_hz)),
+      wrench_delay_frames_(NumFrames(scenario.sensors.wrench_delay_s, scenario.control.rate_hz)),
+      seed_(scenario.seed),
+      random_(scenario.seed) {
+  for (const FootDescription& foot : scenario.description_of_robot.feet) {
+    has_touch_.push_back(foot.force_torque.empty());
+  }
+}
 
 double SensorSuite::Noise(double deviation) {
   return deviation > 0.0 ? deviation * normal_(random_) : 0.0;
@@ -34,24 +61,58 @@ SensorFrame SensorSuite::Sample(const WorldTruth& truth) {
   frame.imu.q_WU = truth.imu.q_WU * Eigen::Quaterniond(1.0, 0.5 * tilt_rad.x(), 0.5 * tilt_rad.y(),
                                                        0.5 * tilt_rad.z());
   frame.imu.q_WU.normalize();
-  frame.imu.gyro_radps = truth.imu.gyro_radps + Noise3(params_.gyro_noise_radps);
-  frame.imu.accelerometer_mps2 =
-      truth.imu.accelerometer_mps2 + Noise3(params_.accelerometer_noise_mps2);
-  frame.joint_position = truth.joint_position;
-  frame.joint_velocity = truth.joint_velocity;
-  for (Eigen::Index i = 0; i < frame.joint_position.size(); ++i) {
-    frame.joint_position[i] += Noise(params_.encoder_noise_rad);
-    frame.joint_velocity[i] += Noise(params_.encoder_velocity_noise_radps);
+  frame.imu.gyro_radps =
+      truth.imu.gyro_radps + params_.gyro_bias_radps + Noise3(params_.gyro_noise_radps);
+  frame.imu.accelerometer_mps2 = truth.imu.accelerometer_mps2 + params_.accelerometer_bias_mps2 +
+                                 Noise3(params_.accelerometer_noise_mps2);
+  SampleJoints(truth, &frame);
+  SampleFeet(truth, &frame);
+  SampleForceTorque(truth, &frame);
+  TellWhatIsKnown(truth, &frame);
+  return frame;
+}
+
+void SensorSuite::SampleJoints(const WorldTruth& truth, SensorFrame* frame) {
+  const Eigen::Index joints = truth.joint_position.size();
+  if (encoder_bias_.size() != joints) {
+    encoder_bias_ = DrawBiases(seed_, params_.encoder_bias_rad, joints);
   }
-  for (const FootTruth& foot : truth.feet) {
-    const double force_N = foot.touch_N + Noise(params_.touch_noise_N);
-    frame.feet.push_back({std::max(0.0, force_N)});
+  frame->joint_position = truth.joint_position + encoder_bias_;
+  frame->joint_velocity = truth.joint_velocity;
+  for (Eigen::Index i = 0; i < joints; ++i) {
+    frame->joint_position[i] += Noise(params_.encoder_noise_rad);
+    frame->joint_velocity[i] += Noise(params_.encoder_velocity_noise_radps);
   }
-  if (tells_truth_) frame.truth = {truth.p_WB, truth.q_WB, truth.v_WB, truth.w_WB_B};
+}
+
+void SensorSuite::SampleFeet(const WorldTruth& truth, SensorFrame* frame) {
+  SIDESTEP_REQUIRE(truth.feet.size() == has_touch_.size(), truth.feet.size());
+  for (std::size_t i = 0; i < has_touch_.size(); ++i) {
+    FootSample sample;
+    if (has_touch_[i]) {
+      sample.normal_force_N = std::max(0.0, truth.feet[i].touch_N + Noise(params_.touch_noise_N));
+    }
+    frame->feet.push_back(sample);
+  }
+}
+
+void SensorSuite::SampleForceTorque(const WorldTruth& truth, SensorFrame* frame) {
+  std::vector<Wrench> now = truth.force_torque;
+  for (Wrench& wrench : now) {
+    wrench.force_N += params_.force_bias_N + Noise3(params_.force_noise_N);
+    wrench.torque_Nm += Noise3(params_.torque_noise_Nm);
+  }
+  wrenches_in_transit_.push_back(std::move(now));
+  frame->force_torque = wrenches_in_transit_.front();
+  if (wrenches_in_transit_.size() > wrench_delay_frames_) wrenches_in_transit_.pop_front();
+}
+
+void SensorSuite::TellWhatIsKnown(const WorldTruth& truth, SensorFrame* frame) const {
+  if (tells_truth_) frame->truth = {truth.p_WB, truth.q_WB, truth.v_WB, truth.w_WB_B};
   if (is_centroidal_) {
     CentroidalSample sample{truth.p_WC, mass_kg_ * truth.v_WC, truth.angular_momentum, {}};
     for (const FootTruth& foot : truth.feet) sample.p_WF.push_back(foot.p_WF);
-    frame.centroidal = std::move(sample);
+    frame->centroidal = std::move(sample);
   }
   if (tells_push_) {
     Wrench wrench;
@@ -59,9 +120,8 @@ SensorFrame SensorSuite::Sample(const WorldTruth& truth) {
       wrench.force_N += push.force_W_N;
       wrench.torque_Nm += (push.p_W - truth.p_WC).cross(push.force_W_N);
     }
-    frame.known_external_wrench = wrench;
+    frame->known_external_wrench = wrench;
   }
-  return frame;
 }
 
 SensorFrame SensorSuite::Read(const WorldTruth& truth, Tick tick) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <random>
+#include <vector>
 
 #include "controller/types/sensor_frame.h"
 #include "sim/scenario/scenario.h"
@@ -23,6 +24,10 @@ class SensorSuite {
 
  private:
   SensorFrame Sample(const WorldTruth& truth);
+  void SampleJoints(const WorldTruth& truth, SensorFrame* frame);
+  void SampleFeet(const WorldTruth& truth, SensorFrame* frame);
+  void SampleForceTorque(const WorldTruth& truth, SensorFrame* frame);
+  void TellWhatIsKnown(const WorldTruth& truth, SensorFrame* frame) const;
   Eigen::Vector3d Noise3(double deviation);
   double Noise(double deviation);
 
@@ -31,11 +36,16 @@ class SensorSuite {
   bool tells_truth_;
   bool tells_push_;
   double mass_kg_;
+  std::vector<bool> has_touch_;  // of each foot
   std::size_t delay_frames_;
+  std::size_t wrench_delay_frames_;
+  std::uint64_t seed_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_{0.0, 1.0};
   std::uniform_real_distribution<double> uniform_{0.0, 1.0};
-  std::deque<SensorFrame> in_transit_;  // oldest first
+  Eigen::VectorXd encoder_bias_;  // of each joint, drawn with the first frame
+  std::deque<std::vector<Wrench>> wrenches_in_transit_;  // oldest first
+  std::deque<SensorFrame> in_transit_;                   // oldest first
   SensorFrame last_;
   bool has_last_{false};
 };

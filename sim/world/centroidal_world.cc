@@ -14,7 +14,7 @@ constexpr double kGravity_mps2 = 9.81;
 constexpr int kFreeJointSize = 7;  // numbers of a free joint in qpos
 constexpr char kCom[] = "com";     // as the drawn stand-in and the scenario's pushes call it
 
-double MassOf(const RobotDescription& robot) {
+double NominalMass(const RobotDescription& robot) {
   if (robot.mass_kg > 0.0) return robot.mass_kg;
   if (!HasModel(robot)) {
     throw ConfigError(robot.file.string() + ": error: mass_kg is missing and there is no MJCF");
@@ -74,7 +74,7 @@ CentroidalState Advance(const CentroidalState& state, const CentroidalLoad& load
 
 CentroidalWorld::CentroidalWorld(const Scenario& scenario)
     : feet_(scenario.description_of_robot.feet),
-      mass_kg_(MassOf(scenario.description_of_robot)),
+      mass_kg_(scenario.world.mass_scale * NominalMass(scenario.description_of_robot)),
       tick_s_(scenario.world.step_s),
       friction_(scenario.world.friction),
       pushes_(scenario.pushes, scenario.world.step_s) {
@@ -148,8 +148,14 @@ void CentroidalWorld::Step(Tick tick) {
   UpdatePushes(tick);
   state_ = Advance(state_, LoadNow(), mass_kg_, tick_s_);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
-    truth_.feet[i].f_F_W = vertex_force_N_[i].rowwise().sum();
-    truth_.feet[i].touch_N = std::max(0.0, truth_.feet[i].f_F_W.z());
+    FootTruth& foot = truth_.feet[i];
+    foot.f_F_W = vertex_force_N_[i].rowwise().sum();
+    foot.m_F_W.setZero();
+    for (Eigen::Index vertex = 0; vertex < vertex_force_N_[i].cols(); ++vertex) {
+      const Eigen::Vector3d arm = feet_[i].vertices_m.col(vertex);
+      foot.m_F_W += arm.cross(vertex_force_N_[i].col(vertex));
+    }
+    foot.touch_N = std::max(0.0, foot.f_F_W.z());
   }
   if (!state_.p_WC.allFinite() || !state_.v_WC.allFinite() ||
       !state_.angular_momentum.allFinite()) {

@@ -58,7 +58,7 @@ class CentroidalWorld final : public World {
   bool is_valid() const override { return invalid_reason_.empty(); }
   const std::string& invalid_reason() const override { return invalid_reason_; }
   double mass_kg() const override { return mass_kg_; }
-  const std::vector<std::string>& joint_names() const override { return joint_names_; }
+  const std::vector<JointInfo>& joints() const override { return joints_; }
 
   /// Takes one CentroidalFootCommand a foot, force_N of the foot's number of vertices (or empty for
   /// none); no feet at all means no forces. Broken shapes are a ContractViolation.
@@ -78,7 +78,7 @@ class CentroidalWorld final : public World {
   Pushes pushes_;
   std::vector<int> pushed_foot_;  ///< One a push; -1 for the CoM.
   std::vector<Eigen::Matrix3Xd> vertex_force_N_;
-  std::vector<std::string> joint_names_;  ///< None.
+  std::vector<JointInfo> joints_;  ///< None.
   CentroidalState state_;
   WorldTruth truth_;
   std::string invalid_reason_;

@@ -2,11 +2,13 @@
 #include "sim/world/mujoco_world.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "models/mjcf/quaternion.h"
 #include "models/robot_description/home_pose.h"
-#include "models/support/require.h"
+#include "models/support/config_error.h"
 #include "sim/world/world_model.h"
 
 namespace sidestep {
@@ -17,13 +19,27 @@ using ConstMatrix3Map = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowM
 
 constexpr int kWorldBody = 0;
 
+// Least and greatest torque of each motor (N for a slide).
+Eigen::MatrixX2d MotorRanges(const mjModel& model) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Eigen::MatrixX2d range_Nm(model.nu, 2);
+  for (int motor = 0; motor < model.nu; ++motor) {
+    range_Nm.row(motor) << -kInfinity, kInfinity;
+    if (model.actuator_ctrllimited[motor] == 0) continue;
+    range_Nm.row(motor) << model.actuator_ctrlrange[2 * motor],
+        model.actuator_ctrlrange[2 * motor + 1];
+  }
+  return range_Nm;
+}
+
 }  // namespace
 
 MujocoWorld::MujocoWorld(const Scenario& scenario)
     : model_(CompileWorld(scenario)),
       data_(MakeData(*model_)),
       pushes_(scenario.pushes, scenario.world.step_s),
-      mass_kg_(mj_getTotalmass(model_.get())) {
+      mass_kg_(mj_getTotalmass(model_.get())),
+      servos_(scenario.description_of_robot.joints, MotorRanges(*model_)) {
   ResolveNames(scenario);
   PlaceAtHome(*model_, scenario.description_of_robot, data_.get());
   mj_forward(model_.get(), data_.get());
@@ -41,19 +57,56 @@ void MujocoWorld::ResolveNames(const Scenario& scenario) {
   base_body_ = RequireId(*model_, mjOBJ_BODY, robot.base);
   imu_ = {SensorAddress(robot.imu + "_orientation"), SensorAddress(robot.imu + "_gyro"),
           SensorAddress(robot.imu + "_accelerometer")};
-  for (const FootDescription& foot : robot.feet) {
-    foot_site_.push_back(RequireId(*model_, mjOBJ_SITE, foot.frame));
-    foot_touch_.push_back(SensorAddress(foot.name + "_touch"));
+  for (const std::string& name : robot.force_torque) {
+    force_torque_.push_back({SensorAddress(name + "_force"), SensorAddress(name + "_torque")});
   }
-  truth_.feet.resize(robot.feet.size());
-  for (int actuator = 0; actuator < model_->nu; ++actuator) {
-    const int joint = model_->actuator_trnid[2 * actuator];
+  truth_.force_torque.resize(force_torque_.size());
+  ResolveFeet(robot);
+  ResolveJoints(robot);
+  ResolvePushes(scenario.pushes);
+}
+
+void MujocoWorld::ResolveFeet(const RobotDescription& robot) {
+  for (const FootDescription& description : robot.feet) {
+    Foot foot;
+    foot.site = RequireId(*model_, mjOBJ_SITE, description.frame);
+    foot.weld = model_->body_weldid[model_->site_bodyid[foot.site]];
+    if (description.force_torque.empty()) foot.touch = SensorAddress(description.name + "_touch");
+    feet_.push_back(foot);
+  }
+  truth_.feet.resize(feet_.size());
+}
+
+void MujocoWorld::ResolveJoints(const RobotDescription& robot) {
+  for (int motor = 0; motor < model_->nu; ++motor) {
+    const int joint = model_->actuator_trnid[2 * motor];
     joint_.push_back(joint);
-    joint_names_.emplace_back(mj_id2name(model_.get(), mjOBJ_JOINT, joint));
+    JointInfo info;
+    info.name = mj_id2name(model_.get(), mjOBJ_JOINT, joint);
+    info.is_slide = model_->jnt_type[joint] == mjJNT_SLIDE;
+    if (model_->jnt_limited[joint] != 0) {
+      info.position_min = model_->jnt_range[2 * joint];
+      info.position_max = model_->jnt_range[2 * joint + 1];
+    }
+    if (model_->actuator_ctrllimited[motor] != 0) {
+      const mjtNum* range = model_->actuator_ctrlrange + 2 * motor;
+      info.torque_limit_Nm = std::max(std::abs(range[0]), std::abs(range[1]));
+    }
+    joints_.push_back(info);
+    const auto at = static_cast<std::size_t>(motor);
+    if (!robot.joints.empty() && robot.joints[at].name != info.name) {
+      throw ConfigError(robot.file.string() + ": error: servo " + std::to_string(motor) +
+                        " is called '" + robot.joints[at].name + "', but the MJCF's motor moves '" +
+                        info.name + "'");
+    }
   }
   truth_.joint_position.setZero(model_->nu);
   truth_.joint_velocity.setZero(model_->nu);
-  for (const Push& push : scenario.pushes) {
+  truth_.joint_torque_Nm.setZero(model_->nu);
+}
+
+void MujocoWorld::ResolvePushes(const std::vector<Push>& pushes) {
+  for (const Push& push : pushes) {
     PushedObject object;
     object.site = mj_name2id(model_.get(), mjOBJ_SITE, push.body.c_str());
     object.body = object.site >= 0 ? model_->site_bodyid[object.site]
@@ -63,13 +116,12 @@ void MujocoWorld::ResolveNames(const Scenario& scenario) {
   pushed_poses_.resize(pushed_.size());
 }
 
-void MujocoWorld::Apply(const ActuatorCommand& command) {
-  SIDESTEP_REQUIRE(command.torque_Nm.size() == model_->nu, command.torque_Nm.size());
-  Eigen::Map<Eigen::VectorXd>(data_->ctrl, model_->nu) = command.torque_Nm;
-}
+void MujocoWorld::Apply(const ActuatorCommand& command) { servos_.Apply(command); }
 
 void MujocoWorld::Step(Tick tick) {
   ApplyPushes();
+  servos_.Update(truth_.joint_position, truth_.joint_velocity);
+  Eigen::Map<Eigen::VectorXd>(data_->ctrl, model_->nu) = servos_.torque_Nm();
   mj_step2(model_.get(), data_.get());
   ReadContacts();
   mj_step1(model_.get(), data_.get());
@@ -105,30 +157,46 @@ void MujocoWorld::ApplyPushes() {
 void MujocoWorld::ReadContacts() {
   for (FootTruth& foot : truth_.feet) {
     foot.f_F_W.setZero();
+    foot.m_F_W.setZero();
     foot.in_contact = false;
   }
   truth_.body_touches_ground = false;
+  truth_.self_contact_depth_m = 0.0;
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
     const int body1 = model_->geom_bodyid[contact.geom1];
     const int body2 = model_->geom_bodyid[contact.geom2];
-    if (body1 != kWorldBody && body2 != kWorldBody) continue;
     // The contact frame's normal points from geom1 to geom2, and the force acts on geom2.
-    const int robot_body = body1 == kWorldBody ? body2 : body1;
-    const double sign = body1 == kWorldBody ? 1.0 : -1.0;
-    mjtNum wrench[6];
-    mj_contactForce(model_.get(), data_.get(), i, wrench);
-    const Eigen::Vector3d force_W =
-        sign * (ConstMatrix3Map(contact.frame).transpose() * ConstVector3Map(wrench));
-    bool is_foot = false;
-    for (std::size_t foot = 0; foot < truth_.feet.size(); ++foot) {
-      if (model_->site_bodyid[foot_site_[foot]] != robot_body) continue;
-      truth_.feet[foot].f_F_W += force_W;
-      truth_.feet[foot].in_contact = truth_.feet[foot].in_contact || force_W.z() > 0.0;
-      is_foot = true;
+    if (body1 == kWorldBody) {
+      ReadGroundContact(i, body2, 1.0);
+    } else if (body2 == kWorldBody) {
+      ReadGroundContact(i, body1, -1.0);
+    } else {
+      truth_.self_contact_depth_m = std::max(truth_.self_contact_depth_m, -contact.dist);
     }
-    truth_.body_touches_ground = truth_.body_touches_ground || !is_foot;
   }
+}
+
+// The foot's site is still where the contact found it: mj_step1 has not been there.
+void MujocoWorld::ReadGroundContact(int contact_id, int robot_body, double sign) {
+  const mjContact& contact = data_->contact[contact_id];
+  mjtNum wrench[6];  // [force; torque] in the contact's frame, at its place
+  mj_contactForce(model_.get(), data_.get(), contact_id, wrench);
+  const Eigen::Matrix3d R_WK = ConstMatrix3Map(contact.frame).transpose();
+  const Eigen::Vector3d force_W = sign * (R_WK * ConstVector3Map(wrench));
+  const Eigen::Vector3d torque_W = sign * (R_WK * ConstVector3Map(wrench + 3));
+  bool is_foot = false;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    if (model_->body_weldid[robot_body] != feet_[i].weld) continue;
+    FootTruth& foot = truth_.feet[i];
+    const Eigen::Vector3d arm =
+        ConstVector3Map(contact.pos) - ConstVector3Map(data_->site_xpos + 3 * feet_[i].site);
+    foot.f_F_W += force_W;
+    foot.m_F_W += torque_W + arm.cross(force_W);
+    foot.in_contact = foot.in_contact || force_W.z() > 0.0;
+    is_foot = true;
+  }
+  truth_.body_touches_ground = truth_.body_touches_ground || !is_foot;
 }
 
 void MujocoWorld::ReadState() {
@@ -145,25 +213,49 @@ void MujocoWorld::ReadState() {
   truth_.p_WC = ConstVector3Map(data->subtree_com + 3 * base_body_);
   truth_.v_WC = ConstVector3Map(data->subtree_linvel + 3 * base_body_);
   truth_.angular_momentum = ConstVector3Map(data->subtree_angmom + 3 * base_body_);
+  ReadJoints();
+  ReadFeet();
+  ReadSensors();
+}
+
+void MujocoWorld::ReadJoints() {
   truth_.actuator_power_W = 0.0;
+  truth_.num_saturated = servos_.num_saturated();
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    truth_.joint_position[at] = data->qpos[model->jnt_qposadr[joint_[i]]];
-    truth_.joint_velocity[at] = data->qvel[model->jnt_dofadr[joint_[i]]];
+    truth_.joint_position[at] = data_->qpos[model_->jnt_qposadr[joint_[i]]];
+    truth_.joint_velocity[at] = data_->qvel[model_->jnt_dofadr[joint_[i]]];
+    truth_.joint_torque_Nm[at] = data_->actuator_force[i];
     truth_.actuator_power_W +=
-        std::abs(data->actuator_force[i] * data->qvel[model->jnt_dofadr[joint_[i]]]);
+        std::abs(data_->actuator_force[i] * data_->qvel[model_->jnt_dofadr[joint_[i]]]);
   }
-  for (std::size_t foot = 0; foot < foot_site_.size(); ++foot) {
-    const int site = foot_site_[foot];
-    truth_.feet[foot].p_WF = ConstVector3Map(data->site_xpos + 3 * site);
+}
+
+void MujocoWorld::ReadFeet() {
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    FootTruth& foot = truth_.feet[i];
+    const int site = feet_[i].site;
+    foot.p_WF = ConstVector3Map(data_->site_xpos + 3 * site);
+    foot.R_WF = ConstMatrix3Map(data_->site_xmat + 9 * site);
     mjtNum twist[6];  // [angular; linear]
-    mj_objectVelocity(model, data, mjOBJ_SITE, site, twist, 0);
-    truth_.feet[foot].v_WF = ConstVector3Map(twist + 3);
-    truth_.feet[foot].touch_N = data->sensordata[foot_touch_[foot]];
+    mj_objectVelocity(model_.get(), data_.get(), mjOBJ_SITE, site, twist, 0);
+    foot.v_WF = ConstVector3Map(twist + 3);
+    foot.touch_N =
+        feet_[i].touch >= 0 ? data_->sensordata[feet_[i].touch] : std::max(0.0, foot.f_F_W.z());
   }
-  truth_.imu.q_WU = FromMuJoCo(data->sensordata + imu_.orientation);
-  truth_.imu.gyro_radps = ConstVector3Map(data->sensordata + imu_.gyro);
-  truth_.imu.accelerometer_mps2 = ConstVector3Map(data->sensordata + imu_.accelerometer);
+}
+
+void MujocoWorld::ReadSensors() {
+  truth_.imu.q_WU = FromMuJoCo(data_->sensordata + imu_.orientation);
+  truth_.imu.gyro_radps = ConstVector3Map(data_->sensordata + imu_.gyro);
+  truth_.imu.accelerometer_mps2 = ConstVector3Map(data_->sensordata + imu_.accelerometer);
+  // MuJoCo 2.2.2 tells what the parent does to the site's body (measured: -m g on a standing
+  // foot); ours is what that body, the distal part, does to its parent.
+  for (std::size_t i = 0; i < force_torque_.size(); ++i) {
+    truth_.force_torque[i].force_N = -ConstVector3Map(data_->sensordata + force_torque_[i].force);
+    truth_.force_torque[i].torque_Nm =
+        -ConstVector3Map(data_->sensordata + force_torque_[i].torque);
+  }
 }
 
 void MujocoWorld::CheckValid() {

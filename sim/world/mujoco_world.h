@@ -6,12 +6,13 @@
 // A step is MuJoCo's two halves: after the constructor and after every Step(), the first half
 // (kinematics, collisions, velocities) belongs to the current state; the second half takes the
 // command and the pushes and integrates. Contact forces and accelerations are those of the step
-// that led to the current state.
+// that led to the current state. The servos act at every step on the state it begins with.
 
 #include <string>
 #include <vector>
 
 #include "models/mjcf/mjcf.h"
+#include "sim/actuators/joint_servos.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/pushes.h"
 #include "sim/world/world.h"
@@ -20,14 +21,15 @@ namespace sidestep {
 
 class MujocoWorld final : public World {
  public:
-  /// Places the robot in its home posture. Throws ConfigError for names that the MJCF lacks.
+  /// Places the robot in its home posture. Throws ConfigError for names that the MJCF lacks, and
+  /// for servos that are not those of the MJCF's motors, in their order.
   explicit MujocoWorld(const Scenario& scenario);
 
   const WorldTruth& truth() const override { return truth_; }
   bool is_valid() const override { return invalid_reason_.empty(); }
   const std::string& invalid_reason() const override { return invalid_reason_; }
   double mass_kg() const override { return mass_kg_; }
-  const std::vector<std::string>& joint_names() const override { return joint_names_; }
+  const std::vector<JointInfo>& joints() const override { return joints_; }
   void Apply(const ActuatorCommand& command) override;
   void Step(Tick tick) override;
 
@@ -37,16 +39,32 @@ class MujocoWorld final : public World {
     int body{0};
     int site{-1};  ///< -1: the body itself.
   };
+  // Addresses in sensordata.
   struct ImuSensors {
-    int orientation{0}, gyro{0}, accelerometer{0};  ///< Addresses in sensordata.
+    int orientation{0}, gyro{0}, accelerometer{0};
+  };
+  struct ForceTorqueSensor {
+    int force{0}, torque{0};
+  };
+  struct Foot {
+    int site{0};
+    int weld{0};    ///< body_weldid of the foot's bodies.
+    int touch{-1};  ///< Address in sensordata; -1: it has force/torque sensors instead.
   };
 
   void ResolveNames(const Scenario& scenario);
+  void ResolveFeet(const RobotDescription& robot);
+  void ResolveJoints(const RobotDescription& robot);
+  void ResolvePushes(const std::vector<Push>& pushes);
   int SensorAddress(const std::string& name) const;
   void UpdatePushes(Tick tick);
   void ApplyPushes();
   void ReadContacts();
+  void ReadGroundContact(int contact_id, int robot_body, double sign);
   void ReadState();
+  void ReadJoints();
+  void ReadFeet();
+  void ReadSensors();
   void CheckValid();
 
   MjModelPtr model_;
@@ -56,11 +74,12 @@ class MujocoWorld final : public World {
   std::vector<PushedPose> pushed_poses_;
   double mass_kg_{0.0};
   int base_body_{0};
-  std::vector<int> foot_site_;
-  std::vector<int> foot_touch_;  // addresses in sensordata
-  std::vector<int> joint_;       // of each actuator
-  std::vector<std::string> joint_names_;
+  std::vector<Foot> feet_;
+  std::vector<int> joint_;  // of each actuator
+  std::vector<JointInfo> joints_;
+  JointServos servos_;
   ImuSensors imu_;
+  std::vector<ForceTorqueSensor> force_torque_;
   WorldTruth truth_;
   std::string invalid_reason_;
 };

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "controller/types/actuator_command.h"
 #include "controller/types/sensor_frame.h"
 #include "controller/types/tick.h"
+#include "controller/types/wrench.h"
 #include "sim/scenario/scenario.h"
 
 namespace sidestep {
@@ -18,9 +20,11 @@ namespace sidestep {
 /// A foot as it is. The force belongs to the step that led to this state.
 struct FootTruth {
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
+  Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
   Eigen::Vector3d f_F_W{Eigen::Vector3d::Zero()};  ///< Ground on robot (N).
-  double touch_N{0.0};  ///< Normal force as a perfect touch sensor reads it.
+  Eigen::Vector3d m_F_W{Eigen::Vector3d::Zero()};  ///< Its moment about F (N m).
+  double touch_N{0.0};  ///< Normal force: as a perfect touch sensor reads it, else of f_F_W.
   bool in_contact{false};
 };
 
@@ -39,14 +43,29 @@ struct WorldTruth {
   Eigen::Vector3d w_WB_B{Eigen::Vector3d::Zero()};  ///< In B.
   Eigen::VectorXd joint_position;                   ///< Order of the actuators.
   Eigen::VectorXd joint_velocity;
+  Eigen::VectorXd joint_torque_Nm;  ///< Of the motors, in the step that led here; N for a slide.
+  int num_saturated{0};             ///< Motors that were asked for more than they can, in it.
   Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
   Eigen::Vector3d v_WC{Eigen::Vector3d::Zero()};
   Eigen::Vector3d angular_momentum{Eigen::Vector3d::Zero()};  ///< h_C_W.
   ImuSample imu;  ///< As a perfect unit reads; the acceleration of the step that led here.
   std::vector<FootTruth> feet;
-  std::vector<PushTruth> pushes;    ///< One a scripted push; zero force while it does not act.
-  bool body_touches_ground{false};  ///< Anything but a foot.
-  double actuator_power_W{0.0};     ///< Sum of |torque times velocity|.
+  /// As perfect sensors read, in the order of the robot's: distal on proximal, in the sensor's
+  /// site, about its origin; of the step that led here.
+  std::vector<Wrench> force_torque;
+  std::vector<PushTruth> pushes;     ///< One a scripted push; zero force while it does not act.
+  bool body_touches_ground{false};   ///< Anything but a foot.
+  double self_contact_depth_m{0.0};  ///< Deepest that two bodies of the robot are in each other.
+  double actuator_power_W{0.0};      ///< Sum of |torque times velocity|.
+};
+
+/// An actuated joint of a plant. Bounds are infinite where the model has none.
+struct JointInfo {
+  std::string name;
+  bool is_slide{false};  ///< In m and N, not rad and N m.
+  double position_min{-std::numeric_limits<double>::infinity()};
+  double position_max{std::numeric_limits<double>::infinity()};
+  double torque_limit_Nm{std::numeric_limits<double>::infinity()};  ///< The greater way.
 };
 
 /// A plant: something with feet that commands move and pushes disturb.
@@ -64,7 +83,9 @@ class World {
   virtual const std::string& invalid_reason() const = 0;
 
   virtual double mass_kg() const = 0;
-  virtual const std::vector<std::string>& joint_names() const = 0;
+
+  /// In the order of the actuators.
+  virtual const std::vector<JointInfo>& joints() const = 0;
 
   /// Takes the command that acts from now on, until the next one.
   virtual void Apply(const ActuatorCommand& command) = 0;

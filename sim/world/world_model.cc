@@ -61,6 +61,15 @@ std::string CentroidalStandIn(const RobotDescription& robot) {
   return xml.str();
 }
 
+// Every body heavier at the same shape. What MuJoCo derives from masses is derived again.
+void ScaleMasses(double scale, mjModel* model) {
+  if (scale == 1.0) return;
+  mju_scl(model->body_mass, model->body_mass, scale, model->nbody);
+  mju_scl(model->body_inertia, model->body_inertia, scale, 3 * model->nbody);
+  const MjDataPtr data = MakeData(*model);
+  mj_setConst(model, data.get());
+}
+
 }  // namespace
 
 MjModelPtr CompileWorld(const Scenario& scenario) {
@@ -81,6 +90,7 @@ MjModelPtr CompileWorld(const Scenario& scenario) {
   for (int geom = 0; geom < model->ngeom; ++geom) {
     model->geom_friction[3 * geom] = scenario.world.friction;
   }
+  ScaleMasses(scenario.world.mass_scale, model.get());
   return model;
 }
 

@@ -51,15 +51,14 @@ std::vector<Room> SimRooms() {
   return {
       // The metrics' names only: a scenario may expect what the verdict measures.
       {"sim/scenario", kRobot + Folders{"controller/types", "sim/verdict/metrics.h"}},
-      {"sim/world", kScenario, true},
+      {"sim/actuators", kTypes + kRobot},
+      {"sim/world", kScenario + Folders{"sim/actuators"}, true},
       {"sim/sensors", kWorld, true},
-      {"sim/actuators", kWorld, true},
       // Truth, and how the solver fared; never what the controller believes.
       {"sim/verdict", kWorld + Folders{"controller/mpc/mpc_solution.h"}},
       {"sim/record", kWorld + Folders{"sim/verdict", "controller/mpc"}},
       {"sim/episode",
-       kWorld + kChain +
-           Folders{"controller", "sim/sensors", "sim/actuators", "sim/record", "sim/verdict"}},
+       kWorld + kChain + Folders{"controller", "sim/sensors", "sim/record", "sim/verdict"}},
       {"sim/process", kSupport},
       {"sim/render", kTools, true},
       {"sim/plot", kTools},

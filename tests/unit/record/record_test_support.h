@@ -29,8 +29,8 @@ inline Scenario TwoFeetScenario() {
   robot.file = std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/two_legs/robot.yaml";
   robot.mass_kg = 2.0;
   robot.com_height_m = 0.5;
-  robot.feet = {{"left", "left", Eigen::Vector3d::Zero(), 0.0},
-                {"right", "right", Eigen::Vector3d::Zero(), 0.0}};
+  robot.feet = {{"left", "left", {}, Eigen::Vector3d::Zero(), 0.0},
+                {"right", "right", {}, Eigen::Vector3d::Zero(), 0.0}};
   Push push;
   push.body = "com";
   push.force_N = {0.0, 5.0, 0.0};
@@ -42,7 +42,7 @@ inline Scenario TwoFeetScenario() {
 /// A world whose truth a test writes by hand.
 class ScriptedWorld final : public World {
  public:
-  explicit ScriptedWorld(const Scenario& scenario, std::vector<std::string> joints = {})
+  explicit ScriptedWorld(const Scenario& scenario, std::vector<JointInfo> joints = {})
       : joints_(std::move(joints)) {
     written.qpos.setZero(21);
     written.joint_position.setZero(static_cast<Eigen::Index>(joints_.size()));
@@ -53,14 +53,14 @@ class ScriptedWorld final : public World {
   bool is_valid() const override { return true; }
   const std::string& invalid_reason() const override { return reason_; }
   double mass_kg() const override { return 2.0; }
-  const std::vector<std::string>& joint_names() const override { return joints_; }
+  const std::vector<JointInfo>& joints() const override { return joints_; }
   void Apply(const ActuatorCommand&) override {}
   void Step(Tick) override {}
 
   WorldTruth written;
 
  private:
-  std::vector<std::string> joints_;
+  std::vector<JointInfo> joints_;
   std::string reason_;
 };
 

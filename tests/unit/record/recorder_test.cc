@@ -128,12 +128,8 @@ TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
 }
 
 TEST_F(RecorderTest, SlidingJointsAreInNewtonsAndMetres) {
-  Scenario scenario = TwoFeetScenario();
-  scenario.plant = Plant::kMujoco;
-  RobotDescription& robot = scenario.description_of_robot;
-  robot.file = std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/hopper/robot.yaml";
-  robot.mjcf = std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/hopper/hopper.xml";
-  const ScriptedWorld world(scenario, {"hip_roll", "hip_pitch", "leg"});
+  const Scenario scenario = TwoFeetScenario();
+  const ScriptedWorld world(scenario, {{"hip_roll"}, {"hip_pitch"}, {"leg", true}});
   Recorder recorder(scenario, world, folder_, {});
   ControlTick control = BusyControl(0);
   control.command.torque_Nm = Eigen::Vector3d(1.0, 2.0, 3.0);

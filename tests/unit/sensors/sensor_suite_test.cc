@@ -13,13 +13,21 @@ constexpr double kRate_hz = 1000.0;
 Scenario Quiet() {
   Scenario scenario;
   scenario.control.rate_hz = kRate_hz;
+  scenario.description_of_robot.feet.resize(1);
   return scenario;
 }
 
 Scenario Noisy(std::uint64_t seed = 1) {
   Scenario scenario = Quiet();
   scenario.seed = seed;
-  scenario.sensors = {0.01, 0.2, 0.002, 0.001, 0.05, 0.3, 0.0, 0.0};
+  scenario.sensors.gyro_noise_radps = 0.01;
+  scenario.sensors.accelerometer_noise_mps2 = 0.2;
+  scenario.sensors.orientation_noise_rad = 0.002;
+  scenario.sensors.encoder_noise_rad = 0.001;
+  scenario.sensors.encoder_velocity_noise_radps = 0.05;
+  scenario.sensors.touch_noise_N = 0.3;
+  scenario.sensors.force_noise_N = 0.7;
+  scenario.sensors.torque_noise_Nm = 0.04;
   return scenario;
 }
 
@@ -41,6 +49,8 @@ WorldTruth Truth(double mark = 0.0) {
   truth.feet.resize(1);
   truth.feet[0].touch_N = 12.0;
   truth.feet[0].p_WF = {0.9, 2.1, 0.0};
+  truth.force_torque = {{{1.0 + mark, 2.0, 3.0}, {0.1, 0.2, 0.3}},
+                        {{-1.0, -2.0, 30.0}, {-0.1, -0.2, -0.3}}};
   truth.pushes = {{{0.0, 10.0, 0.0}, {1.1, 2.0, 3.7}}, {{3.0, 0.0, 0.0}, {1.1, 2.5, 3.2}}};
   return truth;
 }
@@ -57,6 +67,15 @@ TEST(SensorSuiteTest, WithoutNoiseSensorsReadTheTruth) {
   EXPECT_EQ(frame.joint_velocity, truth.joint_velocity);
   ASSERT_EQ(frame.feet.size(), 1U);
   EXPECT_EQ(frame.feet[0].normal_force_N, 12.0);
+  ASSERT_EQ(frame.force_torque.size(), 2U);
+  EXPECT_EQ(frame.force_torque[1].force_N, truth.force_torque[1].force_N);
+  EXPECT_EQ(frame.force_torque[1].torque_Nm, truth.force_torque[1].torque_Nm);
+}
+
+TEST(SensorSuiteTest, FootWithForceTorqueSensorsHasNoTouch) {
+  Scenario scenario = Noisy();
+  scenario.description_of_robot.feet[0].force_torque = {"ankle_ft"};
+  EXPECT_EQ(SensorSuite(scenario, 1.0).Read(Truth(), 0).feet[0].normal_force_N, 0.0);
 }
 
 TEST(SensorSuiteTest, TruthCentroidalStateAndPushAreToldOnlyWhenAskedFor) {
@@ -150,6 +169,12 @@ TEST(SensorSuiteTest, NoiseHasTheDeviationOfItsSetting) {
                0.05);
   ExpectSpread(SpreadOf(Noisy(), [](const SensorFrame& f) { return f.feet[0].normal_force_N; }),
                12.0, 0.3);
+  ExpectSpread(
+      SpreadOf(Noisy(), [](const SensorFrame& f) { return f.force_torque[1].force_N.z(); }), 30.0,
+      0.7);
+  ExpectSpread(
+      SpreadOf(Noisy(), [](const SensorFrame& f) { return f.force_torque[0].torque_Nm.x(); }), 0.1,
+      0.04);
   const auto tilt_rad = [](const SensorFrame& f) {
     return 2.0 * (Truth().imu.q_WU.conjugate() * f.imu.q_WU).y();
   };
@@ -179,6 +204,73 @@ TEST(SensorSuiteTest, FramesAreAsOldAsTheDelay) {
     const Tick measured = std::max<Tick>(0, tick - 3);
     EXPECT_EQ(frame.joint_position[0], 0.5 + static_cast<double>(measured)) << tick;
     EXPECT_EQ(frame.tick, tick) << "a frame is stamped when it arrives";
+  }
+}
+
+TEST(SensorSuiteTest, BiasesAreAddedEveryTime) {
+  Scenario scenario = Quiet();
+  scenario.sensors.force_bias_N = {1.0, -2.0, 4.0};
+  scenario.sensors.gyro_bias_radps = {0.25, 0.5, -0.125};
+  scenario.sensors.accelerometer_bias_mps2 = {-0.5, 0.25, 0.125};
+  SensorSuite sensors(scenario, 1.0);
+  const WorldTruth truth = Truth();
+  for (Tick tick = 0; tick < 3; ++tick) {
+    const SensorFrame frame = sensors.Read(truth, tick);
+    EXPECT_EQ(frame.imu.gyro_radps, truth.imu.gyro_radps + scenario.sensors.gyro_bias_radps);
+    EXPECT_EQ(frame.imu.accelerometer_mps2,
+              truth.imu.accelerometer_mps2 + scenario.sensors.accelerometer_bias_mps2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(frame.force_torque[i].force_N,
+                truth.force_torque[i].force_N + scenario.sensors.force_bias_N);
+      EXPECT_EQ(frame.force_torque[i].torque_Nm, truth.force_torque[i].torque_Nm);
+    }
+  }
+}
+
+TEST(SensorSuiteTest, EncoderBiasIsOneDrawAJointAndSeed) {
+  const auto bias_of = [](std::uint64_t seed, int joints, Tick tick) {
+    Scenario scenario = Quiet();
+    scenario.seed = seed;
+    scenario.sensors.encoder_bias_rad = 0.02;
+    WorldTruth truth = Truth();
+    truth.joint_position = truth.joint_velocity = Eigen::VectorXd::Zero(joints);
+    SensorSuite sensors(scenario, 1.0);
+    for (Tick before = 0; before < tick; ++before) sensors.Read(truth, before);
+    const SensorFrame frame = sensors.Read(truth, tick);
+    EXPECT_EQ(frame.joint_velocity, truth.joint_velocity) << "of the position only";
+    return frame.joint_position;
+  };
+  EXPECT_EQ(bias_of(3, 5, 0), bias_of(3, 5, 7)) << "constant";
+  EXPECT_NE(bias_of(3, 5, 0), bias_of(4, 5, 0));
+  const Eigen::VectorXd many = bias_of(3, kSamples, 0);
+  ExpectSpread({many.mean(), std::sqrt(many.squaredNorm() / kSamples)}, 0.0, 0.02);
+}
+
+TEST(SensorSuiteTest, NewErrorsLeaveTheDrawsOfTheOldOnesAlone) {
+  Scenario biased = Noisy();
+  biased.sensors.encoder_bias_rad = 0.02;
+  biased.sensors.gyro_bias_radps = {0.5, 0.5, 0.5};
+  SensorSuite sensors(Noisy(), 1.0), with_biases(biased, 1.0);
+  for (Tick tick = 0; tick < 20; ++tick) {
+    const SensorFrame a = sensors.Read(Truth(), tick);
+    const SensorFrame b = with_biases.Read(Truth(), tick);
+    EXPECT_EQ(a.imu.q_WU.coeffs(), b.imu.q_WU.coeffs());
+    EXPECT_EQ(a.imu.accelerometer_mps2, b.imu.accelerometer_mps2);
+    EXPECT_EQ(a.joint_velocity, b.joint_velocity);
+    EXPECT_EQ(a.feet[0].normal_force_N, b.feet[0].normal_force_N);
+  }
+}
+
+TEST(SensorSuiteTest, WrenchesAreOlderThanTheRestByTheirOwnDelay) {
+  Scenario scenario = Quiet();
+  scenario.sensors.delay_s = 0.002;
+  scenario.sensors.wrench_delay_s = 0.003;
+  SensorSuite sensors(scenario, 1.0);
+  for (Tick tick = 0; tick < 20; ++tick) {
+    const SensorFrame frame = sensors.Read(Truth(static_cast<double>(tick)), tick);
+    EXPECT_EQ(frame.joint_position[0], 0.5 + static_cast<double>(std::max<Tick>(0, tick - 2)));
+    EXPECT_EQ(frame.force_torque[0].force_N.x(),
+              1.0 + static_cast<double>(std::max<Tick>(0, tick - 5)));
   }
 }
 

@@ -25,7 +25,7 @@ inline Scenario OneFootScenario() {
   robot.name = "one_foot";
   robot.com_height_m = 0.5;
   robot.base_height_m = 0.6;
-  robot.feet = {{"foot", "sole", Eigen::Vector3d::Zero(), 0.02}};
+  robot.feet = {{"foot", "sole", {}, Eigen::Vector3d::Zero(), 0.02}};
   scenario.gait.resize(1);
   return scenario;
 }

@@ -19,7 +19,8 @@ inline Scenario TwoFeetScenario() {
   robot.com_height_m = 0.5;
   Eigen::Matrix3Xd vertices_m(3, 4);
   vertices_m << 0.1, 0.1, -0.1, -0.1, 0.05, -0.05, -0.05, 0.05, 0.0, 0.0, 0.0, 0.0;
-  robot.feet = {{"left", "left_sole", vertices_m, 0.0}, {"right", "right_sole", vertices_m, 0.0}};
+  robot.feet = {{"left", "left_sole", {}, vertices_m, 0.0},
+                {"right", "right_sole", {}, vertices_m, 0.0}};
   GaitParams gait;
   gait.step_width_m = 0.2;
   scenario.gait = {gait};
