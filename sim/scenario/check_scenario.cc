@@ -76,6 +76,25 @@ void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
   }
 }
 
+/// Whether the robot can do and feel what the control block asks of it. On the centroidal plant the
+/// mode means nothing: the MPC's forces act.
+void CheckAbilities(const Scenario& scenario, const ConfigTree& root) {
+  const RobotDescription& robot = scenario.description_of_robot;
+  const bool has_body = scenario.plant == Plant::kMujoco;
+  if (scenario.control.mode == ControlMode::kPosition && has_body && robot.joints.empty()) {
+    FailAtEither(root, "control.mode", "robot",
+                 "= position needs a robot with servos, which '" + scenario.robot +
+                     "' lacks; write mode: torque");
+  }
+  const bool estimates = scenario.control.external_wrench == ExternalWrenchKnowledge::kEstimated;
+  if (estimates && (!has_body || robot.arm_force_torque.empty())) {
+    FailAtEither(root, "control.external_wrench", "robot",
+                 "= estimated needs force/torque sensors in the arms, which " +
+                     (has_body ? "'" + scenario.robot + "'" : "the centroidal plant") +
+                     " lacks; write external_wrench: unknown or known");
+  }
+}
+
 void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
   const std::size_t feet = scenario.description_of_robot.feet.size();
   const bool is_list = root.Find("gait") != nullptr && root.Find("gait")->kind == ConfigKind::kList;
@@ -141,6 +160,7 @@ void CheckPushes(const Scenario& scenario, const ConfigTree& root) {
 
 void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
   CheckPlant(scenario, root);
+  CheckAbilities(scenario, root);
   CheckRates(scenario, root);
   CheckMpc(scenario.control.mpc, root);
   CheckGaits(scenario, root);

@@ -13,6 +13,11 @@ using CheckScenarioTest = ScenarioFixture;
 const std::vector<std::string> kWalker{"robot=walker", "plant=centroidal", "pushes=[]",
                                        "gait={type: walk}"};
 
+std::vector<std::string> Together(std::vector<std::string> overrides, const std::string& last) {
+  overrides.push_back(last);
+  return overrides;
+}
+
 TEST_F(CheckScenarioTest, AcceptsWhatFits) {
   EXPECT_EQ(ErrorIn(valid_), "no error");
   EXPECT_EQ(ErrorIn(valid_, kWalker), "no error");
@@ -28,6 +33,36 @@ TEST_F(CheckScenarioTest, Plant) {
   EXPECT_EQ(ErrorIn("sidestep: 1\nname: a\nrobot: point\nduration_s: 1\n"),
             "a.yaml:3:8: error: plant = mujoco needs a robot with an MJCF, which 'point' lacks; "
             "write plant: centroidal");
+}
+
+TEST_F(CheckScenarioTest, PositionControlNeedsServos) {
+  EXPECT_EQ(ErrorOfEdit("mode: torque", "mode: position"),
+            "a.yaml:8:9: error: control.mode = position needs a robot with servos, which 'mini' "
+            "lacks; write mode: torque");
+  EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.mode=position")), "no error")
+      << "there the MPC's forces act";
+}
+
+TEST_F(CheckScenarioTest, EstimatedWrenchNeedsSensorsInTheArms) {
+  EXPECT_EQ(ErrorOfEdit("mode: torque", "external_wrench: estimated"),
+            "a.yaml:8:20: error: control.external_wrench = estimated needs force/torque sensors in "
+            "the arms, which 'mini' lacks; write external_wrench: unknown or known");
+  EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.external_wrench=estimated")),
+            "--set control.external_wrench=estimated: error: control.external_wrench = estimated "
+            "needs force/torque sensors in the arms, which the centroidal plant lacks; write "
+            "external_wrench: unknown or known");
+}
+
+TEST_F(CheckScenarioTest, RobotsThatCanMayDoBoth) {
+  Scenario scenario = Read(valid_);
+  const ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", valid_));
+  scenario.control.mode = ControlMode::kPosition;
+  scenario.control.external_wrench = ExternalWrenchKnowledge::kEstimated;
+  EXPECT_THROW(CheckScenario(scenario, root), ConfigError);
+  scenario.description_of_robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0},
+                                          {"leg", 100.0, 1.0, 5.0, 1.0}};
+  scenario.description_of_robot.arm_force_torque = {"palm"};
+  EXPECT_NO_THROW(CheckScenario(scenario, root));
 }
 
 TEST_F(CheckScenarioTest, Rates) {
