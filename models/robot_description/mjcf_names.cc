@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/robot_description/mjcf_names.h"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -57,7 +55,7 @@ int CutNumber(const std::string& word, std::string* text) {
   throw ConfigError(mjcf.string(), line, std::max(column, 1), flat);
 }
 
-std::vector<std::string> NamesOf(const mjModel& model, int type, int count) {
+std::vector<std::string> NamesOfType(const mjModel& model, int type, int count) {
   std::vector<std::string> names;
   for (int id = 0; id < count; ++id) {
     const char* name = mj_id2name(&model, type, id);
@@ -73,17 +71,20 @@ MjcfNames ReadMjcfNames(const std::filesystem::path& mjcf) {
   const MjModelPtr model(
       mj_loadXML(mjcf.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!model) FailToCompile(mjcf, error.data());
+  return NamesOf(*model);
+}
 
+MjcfNames NamesOf(const mjModel& model) {
   MjcfNames names;
-  names.bodies = NamesOf(*model, mjOBJ_BODY, model->nbody);
+  names.bodies = NamesOfType(model, mjOBJ_BODY, model.nbody);
   std::erase(names.bodies, "world");
-  names.sites = NamesOf(*model, mjOBJ_SITE, model->nsite);
-  names.sensors = NamesOf(*model, mjOBJ_SENSOR, model->nsensor);
-  for (int id = 0; id < model->njnt; ++id) {
-    const int type = model->jnt_type[id];
+  names.sites = NamesOfType(model, mjOBJ_SITE, model.nsite);
+  names.sensors = NamesOfType(model, mjOBJ_SENSOR, model.nsensor);
+  for (int id = 0; id < model.njnt; ++id) {
+    const int type = model.jnt_type[id];
     const bool is_free = type == mjJNT_FREE;
-    const char* name = is_free ? mj_id2name(model.get(), mjOBJ_BODY, model->jnt_bodyid[id])
-                               : mj_id2name(model.get(), mjOBJ_JOINT, id);
+    const char* name = is_free ? mj_id2name(&model, mjOBJ_BODY, model.jnt_bodyid[id])
+                               : mj_id2name(&model, mjOBJ_JOINT, id);
     if (name == nullptr) continue;
     if (is_free) names.free_bodies.emplace_back(name);
     if (type == mjJNT_HINGE || type == mjJNT_SLIDE) names.joints.emplace_back(name);

@@ -2,6 +2,8 @@
 #pragma once
 // mjcf_names: what an MJCF calls its parts, as MuJoCo's compiler sees them.
 
+#include <mujoco/mujoco.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +18,9 @@ struct MjcfNames {
   std::vector<std::string> joints;  ///< Hinges and slides.
   std::vector<std::string> sensors;
 };
+
+/// Names of a compiled model.
+MjcfNames NamesOf(const mjModel& model);
 
 /// Compiles an MJCF. Throws ConfigError with MuJoCo's message, as `file:line:column: error: ...`
 /// where MuJoCo tells the place, else `file: error: ...`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// robot_description: what robot.yaml says of a robot, beside its MJCF.
+// robot_description: what robot.yaml says of a robot, beside its MJCF or URDF.
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -42,6 +42,7 @@ struct RobotDescription {
   std::filesystem::path file;  ///< The robot.yaml it was read from.
   std::filesystem::path mjcf;  ///< Absolute; empty for a URDF and for the centroidal plant only.
   std::filesystem::path urdf;  ///< Absolute; empty unless the robot is a URDF.
+  std::string urdf_mjcf;       ///< What the URDF became when the robot was read; else empty.
   double mass_kg{0.0};         ///< Given only when there is no MJCF to tell it; else 0.
   std::string base;            ///< Body B that carries the free joint.
   std::string imu;             ///< Site U.
@@ -62,7 +63,7 @@ inline bool HasModel(const RobotDescription& robot) {
 }
 
 /// The MJCF of a robot that has a model: its file's text, or what its URDF becomes.
-/// Throws ConfigError if the file can't be read or converted.
+/// Throws ConfigError if the file can't be read.
 std::string MjcfOf(const RobotDescription& robot);
 
 /// Reads a robot.yaml, but for its `control` block: this robot's own defaults of a scenario's
@@ -76,13 +77,13 @@ std::filesystem::path FindRobot(const std::string& robot, const std::filesystem:
 /// Names of the robots that ship with the program, sorted.
 std::vector<std::string> ShippedRobots();
 
-/// Bodies and sites of the robot's MJCF; for a centroidal-only robot, {"com"} and its feet.
+/// Bodies and sites of the robot's model; for a centroidal-only robot, {"com"} and its feet.
 struct RobotNames {
   std::vector<std::string> bodies;
   std::vector<std::string> frames;
 };
 
-/// Compiles the MJCF to list its names. Throws ConfigError with MuJoCo's message if it can't.
+/// Compiles the model to list its names. Throws ConfigError with MuJoCo's message if it can't.
 RobotNames NamesIn(const RobotDescription& description);
 
 }  // namespace sidestep

@@ -28,7 +28,7 @@ std::vector<Room> ModelRooms() {
   return {
       {"models/support", {}},
       {"models/mjcf", kSupport, true},
-      {"models/robot_description", {"models/support", "models/mjcf"}, true},
+      {"models/robot_description", {"models/support", "models/mjcf", "models/urdf_to_mjcf"}, true},
       {"models/urdf_to_mjcf", {"models/support", "models/mjcf"}, true},
   };
 }

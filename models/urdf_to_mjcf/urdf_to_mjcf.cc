@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/urdf_to_mjcf/urdf_to_mjcf.h"
+
+#include <algorithm>
+
+#include "models/support/config_error.h"
+#include "models/urdf_to_mjcf/read_urdf.h"
+#include "models/urdf_to_mjcf/split_bodies.h"
+#include "models/urdf_to_mjcf/write_mjcf.h"
+
+namespace sidestep {
+namespace {
+
+/// Moving joints on `body`.
+void AddJoints(const Body& body, std::vector<std::string>* joints) {
+  for (const Body& child : body.children) {
+    if (child.joint) joints->push_back(child.joint->name);
+  }
+}
+
+/// Every moving joint must have exactly one motor.
+void CheckActuators(const std::string& file, const Body& base,
+                    const std::vector<UrdfActuator>& actuators) {
+  ForEachBody(base, [&](const Body& body) {
+    if (!body.joint) return;
+    const auto motors = std::count_if(
+        actuators.begin(), actuators.end(),
+        [&](const UrdfActuator& actuator) { return actuator.joint == body.joint->name; });
+    if (motors == 1) return;
+    throw ConfigError(file + ": error: joint '" + body.joint->name +
+                      (motors == 0 ? "' has neither a motor nor a lock" : "' has two motors"));
+  });
+}
+
+}  // namespace
+
+UrdfParts ReadUrdfParts(const std::filesystem::path& urdf) {
+  const UrdfTree tree = ReadUrdf(urdf, {});
+  UrdfParts parts;
+  parts.joints = tree.joints;
+  ForEachBody(tree.base, [&](const Body& body) {
+    UrdfLinkInfo link{body.name, {}, {}};
+    AddJoints(body, &link.joints);
+    for (const Shape& shape : body.shapes) {
+      if (!shape.name.empty()) link.shapes.push_back(shape.name);
+    }
+    parts.links.push_back(link);
+    for (const Frame& frame : body.frames) parts.frames.push_back({frame.name, body.name});
+  });
+  return parts;
+}
+
+std::string UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
+  UrdfTree tree = ReadUrdf(urdf, conversion.locked_joints);
+  CheckActuators(urdf.string(), tree.base, conversion.actuators);
+  SplitBodies(urdf.string(), conversion.force_torque, &tree.base);
+  return WriteMjcf(urdf.stem().string(), tree.base, conversion);
+}
+
+}  // namespace sidestep

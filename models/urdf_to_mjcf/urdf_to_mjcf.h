@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// urdf_to_mjcf: a humanoid's URDF, and what a URDF can't say, as the MJCF text that MuJoCo loads.
+//
+// In : URDF of boxes, spheres and cylinders; UrdfConversion.    Out: MJCF text, to be included.
+// What becomes of what:
+//   link with mass            body; under a fixed joint a body welded to its parent
+//   link without mass         site of the same name on the body that it is fixed to; so an F/T
+//                             sensor, an IMU, a sole or a hand is a link without mass
+//   revolute, continuous,     hinge or slide with the URDF's range, one motor each, in the order of
+//   prismatic joint           UrdfConversion::joints
+//   cylinder                  capsule of the same overall length where it is longer than wide:
+//   round
+//                             ends look and collide better; else a cylinder
+//   collision shape           touches the floor; touches other shapes only if a pair of
+//                             self_collision says so; drawn only if its link has no visual shape
+//   mesh                      a visual one is left out; a collision one is an error
+//
+// Force/torque sensors. MuJoCo measures between a body and its parent. A sensor whose link is fixed
+// to a body without `distal` sits between that body and its parent. With `distal` it sits inside
+// the body: the distal part becomes a body `<name>_distal` of its own, welded to what remains,
+// with the named joints and shapes; the rest keeps the difference of mass, first and second moment,
+// so the robot as a whole stays as it was. Sensors are `<name>_force` and `<name>_torque`, in the
+// sensor's frame, about its origin: what the distal part does to the proximal one. A standing foot
+// reads a force upwards. This is MuJoCo's own sign when the site is on the distal body (checked by
+// test).
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/urdf_to_mjcf/mass_properties.h"
+
+namespace sidestep {
+
+/// A joint with a motor.
+struct UrdfActuator {
+  std::string joint;
+  double torque_limit_Nm{0.0};  ///< > 0; N for a slide.
+  double armature_kgm2{0.0};    ///< Reflected inertia of the rotor.
+  double damping_Nms_per_rad{0.0};
+};
+
+/// What a force/torque sensor inside a link has on its far side.
+struct UrdfDistalPart {
+  MassProperties mass;              ///< In the link's frame; less than the link's.
+  std::vector<std::string> joints;  ///< Joints of the link that move to the part.
+  std::vector<std::string> shapes;  ///< Names of visual and collision shapes that move to the part.
+};
+
+struct UrdfForceTorque {
+  std::string name;                      ///< Of the link without mass that is its frame.
+  std::optional<UrdfDistalPart> distal;  ///< Absent: all of the link that it is fixed to.
+};
+
+/// Every collision shape of the first links against every one of the second.
+using UrdfCollisionGroups = std::array<std::vector<std::string>, 2>;
+
+/// What a URDF doesn't say.
+struct UrdfConversion {
+  std::string imu;                         ///< Link without mass.
+  std::vector<std::string> foot_frames;    ///< Links without mass; see FootDescription.
+  std::vector<UrdfActuator> actuators;     ///< Every moving joint but the locked, each once.
+  std::vector<std::string> locked_joints;  ///< Welded at zero.
+  std::vector<UrdfForceTorque> force_torque;
+  std::vector<UrdfCollisionGroups> self_collision;
+};
+
+/// A joint that moves, with what the URDF says of its motor (0 where it says nothing).
+struct UrdfJointInfo {
+  std::string name;
+  double effort_Nm{0.0};
+  double velocity_radps{0.0};
+  double damping_Nms_per_rad{0.0};
+};
+
+/// A link with mass.
+struct UrdfLinkInfo {
+  std::string name;
+  std::vector<std::string> joints;  ///< Moving joints on it, or on a link without mass fixed to it.
+  std::vector<std::string>
+      shapes;  ///< Names of its visual and collision shapes, without empty ones.
+};
+
+/// A link without mass.
+struct UrdfFrameInfo {
+  std::string name;
+  std::string link;  ///< With mass, that it is fixed to.
+};
+
+/// What a URDF calls its parts.
+struct UrdfParts {
+  std::vector<UrdfLinkInfo> links;  ///< The base first, then parents before children.
+  std::vector<UrdfJointInfo> joints;
+  std::vector<UrdfFrameInfo> frames;
+};
+
+/// Reads a URDF for its names. Throws ConfigError, as `file:line:column: error: ...` for bad XML
+/// and `file: error: ...` for what can't become a robot.
+UrdfParts ReadUrdfParts(const std::filesystem::path& urdf);
+
+/// Converts. The base is the URDF's first link with mass; it gets a free joint.
+/// Throws ConfigError as ReadUrdfParts, and for names in `conversion` that the URDF lacks.
+std::string UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion);
+
+}  // namespace sidestep
