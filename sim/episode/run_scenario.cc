@@ -9,7 +9,7 @@ namespace sidestep {
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::unique_ptr<World> world = MakeWorld(scenario);
-  Judge judge(scenario, world->mass_kg());
+  Judge judge(scenario, world->mass_kg(), world->joints());
   Recorder recorder(scenario, *world, options.out_dir, options.command);
   ProblemDump dump(options.out_dir, options.dump_every_problem);
   const double simulated_s =

@@ -34,6 +34,7 @@ void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   const double height_m = is_centroidal_ ? truth.p_WC.z() : truth.p_WB.z();
   const double tilt_rad = TiltRad(truth.q_WB);
   min_height_m_ = std::min(min_height_m_, height_m);
+  max_height_m_ = std::max(max_height_m_, height_m);
   max_tilt_rad_ = std::max(max_tilt_rad_, tilt_rad);
   if (fall_tick_) return;
 

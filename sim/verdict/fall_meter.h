@@ -30,6 +30,7 @@ class FallMeter {
   const std::string& cause() const { return cause_; }
 
   double min_height_m() const { return min_height_m_; }  ///< Infinite before the first tick.
+  double max_height_m() const { return max_height_m_; }  ///< Likewise.
   double max_tilt_rad() const { return max_tilt_rad_; }
 
  private:
@@ -37,6 +38,7 @@ class FallMeter {
   bool is_centroidal_;
   double nominal_height_m_;
   double min_height_m_{std::numeric_limits<double>::infinity()};
+  double max_height_m_{-std::numeric_limits<double>::infinity()};
   double max_tilt_rad_{0.0};
   std::optional<Tick> fall_tick_;
   std::string cause_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/support/require.h"
+#include "sim/verdict/sole_meter.h"
 
 namespace sidestep {
 namespace {
@@ -38,7 +39,7 @@ double ConeViolation_N(const FootTarget& foot, double friction) {
 
 FootstepLog::FootstepLog(const std::vector<FootDescription>& feet) {
   feet_.resize(feet.size());
-  for (std::size_t i = 0; i < feet.size(); ++i) feet_[i].sole_height_m = feet[i].sole_height_m;
+  for (std::size_t i = 0; i < feet.size(); ++i) feet_[i].description = feet[i];
 }
 
 void FootstepLog::AddPlan(Tick tick, const ControlTick& control) {
@@ -75,7 +76,7 @@ void FootstepLog::AddTruth(const WorldTruth& truth, const std::vector<double>& s
     Foot& foot = feet_[i];
     const FootTruth& foot_truth = truth.feet[i];
     if (foot.apex_m) {
-      foot.apex_m = std::max(*foot.apex_m, foot_truth.p_WF.z() - foot.sole_height_m);
+      foot.apex_m = std::max(*foot.apex_m, SoleHeight_m(foot.description, foot_truth));
     }
     if (!foot.planned_contact || !foot.record || !foot_truth.in_contact) continue;
     FootstepRecord& record = footsteps_[*foot.record];

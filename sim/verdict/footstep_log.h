@@ -46,12 +46,13 @@ class FootstepLog {
   /// Over every control tick, contacts of the start apart (m).
   double max_box_violation_m() const { return max_box_violation_m_; }
 
-  /// Smallest apex of the sole above the ground over the finished planned swings (m); NaN if none.
+  /// Smallest apex of the sole's lowest corner above the ground over the finished planned swings
+  /// (m); NaN if none.
   double min_swing_clearance_m() const;
 
  private:
   struct Foot {
-    double sole_height_m{0.0};
+    FootDescription description;
     bool has_plan{false};
     bool planned_contact{false};
     std::optional<std::size_t> record;  ///< Of the latest contact, in footsteps_.

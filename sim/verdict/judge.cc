@@ -14,8 +14,10 @@
 #include "sim/verdict/fall_meter.h"
 #include "sim/verdict/flight_meter.h"
 #include "sim/verdict/footstep_log.h"
+#include "sim/verdict/joint_meter.h"
 #include "sim/verdict/path_meter.h"
 #include "sim/verdict/slip_meter.h"
+#include "sim/verdict/sole_meter.h"
 #include "sim/verdict/solver_meter.h"
 
 namespace sidestep {
@@ -43,17 +45,21 @@ bool IsFinite(const WorldTruth& truth) {
 }  // namespace
 
 struct Judge::State {
-  State(const Scenario& scenario_of_run, double mass_kg_of_plant)
+  State(const Scenario& scenario_of_run, double mass_kg_of_plant,
+        const std::vector<JointInfo>& joints_of_plant)
       : scenario(scenario_of_run),
         mass_kg(mass_kg_of_plant),
         tick_s(scenario.world.step_s),
         fall(scenario),
         slip(scenario.description_of_robot.feet.size(),
              SlipMeter(tick_s, kLoadedShare * mass_kg * kGravity_mps2)),
+        sole(scenario.description_of_robot.feet, kLoadedShare * mass_kg * kGravity_mps2),
+        joints(joints_of_plant, tick_s),
         footsteps(scenario.description_of_robot.feet),
         path(scenario),
         flight(tick_s),
         solver(scenario.control.mpc.friction),
+        planned_contact(slip.size(), true),
         impulse_W_Ns(scenario.pushes.size(), Eigen::Vector3d::Zero()) {}
 
   void AddBeforeFall(Tick tick, const WorldTruth& truth, const ControlTick* control);
@@ -69,14 +75,18 @@ struct Judge::State {
   double tick_s;
   FallMeter fall;
   std::vector<SlipMeter> slip;
+  SoleMeter sole;
+  JointMeter joints;
   FootstepLog footsteps;
   PathMeter path;
   FlightMeter flight;
   SolverMeter solver;
+  std::vector<bool> planned_contact;  // of the last control tick; all feet without a plan
   std::vector<Eigen::Vector3d> impulse_W_Ns;
   std::vector<Eigen::Vector3d> push_force_W_N;  // of the last tick, acting until the next one
   double energy_J{0.0};
   double max_angular_momentum_kgm2ps{0.0};
+  double max_self_penetration_m{0.0};
   std::optional<Tick> slip_tick;
   std::optional<Tick> first_tick;
   Tick last_tick{0};
@@ -85,8 +95,8 @@ struct Judge::State {
   std::vector<Reason> invalid;
 };
 
-Judge::Judge(const Scenario& scenario, double mass_kg)
-    : state_(std::make_unique<State>(scenario, mass_kg)) {
+Judge::Judge(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints)
+    : state_(std::make_unique<State>(scenario, mass_kg, joints)) {
   SIDESTEP_REQUIRE(mass_kg > 0.0, mass_kg);
 }
 
@@ -112,14 +122,20 @@ void Judge::State::AddBeforeFall(Tick tick, const WorldTruth& truth, const Contr
   if (control) {
     solver.Add(tick, *control);
     footsteps.AddPlan(tick, *control);
+    for (std::size_t i = 0; i < control->feet.size(); ++i) {
+      planned_contact[i] = control->feet[i].planned_contact;
+    }
   }
   std::vector<double> stance_slip_m;
   for (std::size_t i = 0; i < slip.size(); ++i) {
-    slip[i].Add(tick, truth.feet[i]);
+    slip[i].Add(tick, truth.feet[i], planned_contact[i]);
     stance_slip_m.push_back(slip[i].stance_slip_m());
   }
   footsteps.AddTruth(truth, stance_slip_m);
   flight.Add(truth, control);
+  sole.Add(truth, planned_contact);
+  joints.Add(truth);
+  max_self_penetration_m = std::max(max_self_penetration_m, truth.self_contact_depth_m);
   if (!slip_tick && MaxSlip_m() > scenario.verdict.max_slip_m) slip_tick = tick;
 }
 
@@ -181,6 +197,7 @@ Metrics Judge::State::Measure() const {
       {"slip", slip_tick.has_value()},
       {"fall_time_s", has_fallen ? SecondsAt(*fall.fall_tick(), tick_s) : kNaN},
       {"min_base_height_m", first_tick ? fall.min_height_m() : kNaN},
+      {"max_base_height_m", first_tick ? fall.max_height_m() : kNaN},
       {"max_tilt_rad", fall.max_tilt_rad()},
       {"max_angular_momentum_kgm2ps", max_angular_momentum_kgm2ps},
       {"max_slip_m", MaxSlip_m()},
@@ -198,6 +215,11 @@ Metrics Judge::State::Measure() const {
       {"max_cone_violation_N", solver.max_cone_violation_N()},
       {"max_box_violation_m", footsteps.max_box_violation_m()},
       {"min_swing_clearance_m", footsteps.min_swing_clearance_m()},
+      {"max_sole_tilt_rad", sole.max_tilt_rad()},
+      {"max_self_penetration_m", max_self_penetration_m},
+      {"min_joint_margin_rad", joints.min_margin_rad()},
+      {"max_torque_ratio", joints.max_torque_ratio()},
+      {"torque_saturation_s", joints.saturation_s()},
       {"energy_J", energy_J},
   };
 }
@@ -253,6 +275,7 @@ RunOutcome Judge::Conclude() const {
   for (std::size_t i = 0; i < state.scenario.pushes.size(); ++i) {
     outcome.pushes.push_back({state.scenario.pushes[i], state.impulse_W_Ns[i]});
   }
+  outcome.joints = state.joints.records();
   outcome.mass_kg = state.mass_kg;
 
   Verdict& verdict = outcome.verdict;

@@ -17,6 +17,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
@@ -28,8 +29,8 @@ namespace sidestep {
 
 class Judge {
  public:
-  /// @param scenario  Copied. @param mass_kg  Of the plant, > 0.
-  Judge(const Scenario& scenario, double mass_kg);
+  /// @param scenario  Copied. @param mass_kg  Of the plant, > 0. @param joints  Of the plant.
+  Judge(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints = {});
   ~Judge();
 
   /// Takes one tick, in order, each once, from 0 to the end of the run, the last one included.

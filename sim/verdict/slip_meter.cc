@@ -13,8 +13,8 @@ constexpr double kBounce_s = 0.01;  // A shorter loss of contact belongs to the 
 
 SlipMeter::SlipMeter(double tick_s, double min_load_N) : tick_s_(tick_s), min_load_N_(min_load_N) {}
 
-void SlipMeter::Add(Tick tick, const FootTruth& foot) {
-  if (!foot.in_contact) {
+void SlipMeter::Add(Tick tick, const FootTruth& foot, bool planned_contact) {
+  if (!foot.in_contact || !planned_contact) {
     if (stance_start_tick_ && tick - last_contact_tick_ > TickAt(kBounce_s, tick_s_)) {
       stance_start_tick_.reset();
       anchor_W_.reset();

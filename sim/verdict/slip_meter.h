@@ -10,7 +10,8 @@
 
 namespace sidestep {
 
-/// Measures one foot. A stance begins when contact does; a bounce of up to 10 ms does not end it.
+/// Measures one foot. A stance begins when the plan has the foot stand and it does; a bounce of up
+/// to 10 ms does not end it.
 /// The foot's place at the first loaded tick from 10 ms on is its anchor: a landing may settle. The
 /// slide is the horizontal distance from the anchor while the foot is loaded: once the
 /// force has all but vanished before lift-off, moving is no slipping.
@@ -19,7 +20,8 @@ class SlipMeter {
   /// @param tick_s  Length of a tick. @param min_load_N  Vertical force of a loaded foot.
   SlipMeter(double tick_s, double min_load_N);
 
-  void Add(Tick tick, const FootTruth& foot);
+  /// @param planned_contact  Whether the foot is meant to stand.
+  void Add(Tick tick, const FootTruth& foot, bool planned_contact);
 
   /// Farthest slide of the stance so far (m); 0 in the air.
   double stance_slip_m() const { return stance_slip_m_; }

@@ -15,6 +15,7 @@
 #include "controller/types/contact_plan.h"
 #include "controller/types/field.h"
 #include "sim/scenario/scenario.h"
+#include "sim/world/world.h"
 
 namespace sidestep {
 
@@ -82,12 +83,19 @@ struct PushRecord {
   Eigen::Vector3d impulse_W_Ns{Eigen::Vector3d::Zero()};  ///< Integral of the force.
 };
 
+/// What a joint's motor was put to.
+struct JointRecord {
+  JointInfo joint;
+  double peak_torque_Nm{0.0};  ///< Largest |torque|; N for a slide.
+};
+
 /// Everything that a run is judged by.
 struct RunOutcome {
   Verdict verdict;
   Metrics metrics;
   std::vector<FootstepRecord> footsteps;  ///< In order of start.
   std::vector<PushRecord> pushes;         ///< In the scenario's order.
+  std::vector<JointRecord> joints;        ///< In the order of the actuators.
   double mass_kg{0.0};                    ///< Of the plant.
 };
 

@@ -25,27 +25,27 @@ FootTruth FootAt(double x_m, double force_N, bool in_contact = true) {
 
 TEST(SlipMeterTest, SettlingOfTheFirstTenMillisecondsIsNoSlip) {
   SlipMeter meter(kTick_s, kMinLoad_N);
-  for (Tick tick = 0; tick < 10; ++tick) meter.Add(tick, FootAt(SecondsAt(tick, 0.01), 50.0));
-  for (Tick tick = 10; tick < 50; ++tick) meter.Add(tick, FootAt(0.5, 50.0));
+  for (Tick tick = 0; tick < 10; ++tick) meter.Add(tick, FootAt(SecondsAt(tick, 0.01), 50.0), true);
+  for (Tick tick = 10; tick < 50; ++tick) meter.Add(tick, FootAt(0.5, 50.0), true);
   EXPECT_EQ(meter.max_slip_m(), 0.0);
-  meter.Add(50, FootAt(0.503, 50.0));
+  meter.Add(50, FootAt(0.503, 50.0), true);
   EXPECT_NEAR(meter.max_slip_m(), 0.003, 1e-15);
 }
 
 TEST(SlipMeterTest, UnloadedFootMayMove) {
   SlipMeter meter(kTick_s, kMinLoad_N);
-  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0));
-  meter.Add(50, FootAt(0.1, 4.0));
+  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0), true);
+  meter.Add(50, FootAt(0.1, 4.0), true);
   EXPECT_EQ(meter.max_slip_m(), 0.0);
 }
 
 TEST(SlipMeterTest, NextStanceHasItsOwnAnchor) {
   SlipMeter meter(kTick_s, kMinLoad_N);
-  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0));
-  meter.Add(50, FootAt(0.002, 50.0));
-  for (Tick tick = 51; tick < 150; ++tick) meter.Add(tick, FootAt(0.2, 0.0, false));
+  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0), true);
+  meter.Add(50, FootAt(0.002, 50.0), true);
+  for (Tick tick = 51; tick < 150; ++tick) meter.Add(tick, FootAt(0.2, 0.0, false), true);
   EXPECT_EQ(meter.stance_slip_m(), 0.0);
-  for (Tick tick = 150; tick < 200; ++tick) meter.Add(tick, FootAt(0.4, 50.0));
+  for (Tick tick = 150; tick < 200; ++tick) meter.Add(tick, FootAt(0.4, 50.0), true);
   EXPECT_EQ(meter.stance_slip_m(), 0.0);
   EXPECT_NEAR(meter.max_slip_m(), 0.002, 1e-15);
 }
@@ -55,7 +55,7 @@ TEST(SlipMeterTest, FootThatChattersAcrossTheFloorSlips) {
   SlipMeter meter(kTick_s, kMinLoad_N);
   for (Tick tick = 0; tick < 100; ++tick) {
     const bool in_contact = tick % 5 != 4;
-    meter.Add(tick, FootAt(SecondsAt(tick, 0.001), in_contact ? 50.0 : 0.0, in_contact));
+    meter.Add(tick, FootAt(SecondsAt(tick, 0.001), in_contact ? 50.0 : 0.0, in_contact), true);
   }
   EXPECT_NEAR(meter.max_slip_m(), 0.001 * (98 - 10), 1e-12);
 }
