@@ -87,7 +87,32 @@ const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
       if (!begun && !nominal.decided) planned.back().adjusted_p_WF = planned.back().nominal_p_WF;
     }
   }
+  KeepFeetApart(tick);
   return plan_;
+}
+
+// The next landing's box ends where its foot would come too close to the one that stands then.
+void GaitPlanner::KeepFeetApart(Tick tick) {
+  if (plan_.feet.size() != 2) return;
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    for (PlannedContact& next : plan_.feet[foot]) {
+      if (next.start_tick <= tick) continue;
+      const PlannedContact* other = nullptr;
+      for (const PlannedContact& contact : plan_.feet[1 - foot]) {
+        if (contact.start_tick <= next.start_tick) other = &contact;
+      }
+      if (other == nullptr || other->start_tick > tick) continue;  // not decided yet
+      const double y_m = (next.R_WF.transpose() * (other->adjusted_p_WF - next.nominal_p_WF)).y();
+      if (foot == 0) {
+        next.box_lower_m.y() = std::max(next.box_lower_m.y(), y_m + params_.min_step_width_m);
+        next.box_upper_m.y() = std::max(next.box_upper_m.y(), next.box_lower_m.y());
+      } else {
+        next.box_upper_m.y() = std::min(next.box_upper_m.y(), y_m - params_.min_step_width_m);
+        next.box_lower_m.y() = std::min(next.box_lower_m.y(), next.box_upper_m.y());
+      }
+      break;
+    }
+  }
 }
 
 void GaitPlanner::SetAdjusted(int foot, int index, const Eigen::Vector3d& p_WF) {

@@ -39,6 +39,7 @@ class GaitPlanner {
 
  private:
   Eigen::Vector3d Shift(int sequence) const;
+  void KeepFeetApart(Tick tick);
   void NoteLandings(const RobotState& state, Tick tick);
   Eigen::Vector3d CapturePointError(const RobotState& state, Tick tick) const;
   ComReference KnotState(std::size_t at, bool shifted) const;

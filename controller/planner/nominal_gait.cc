@@ -124,7 +124,9 @@ class GaitWriter {
     AddComKnot(now_, true);
   }
 
-  bool FeetSideBySide() { return OnGround(0) && OnGround(1) && FootX(0) == FootX(1) && PathY(0) == PathY(1); }
+  bool FeetSideBySide() {
+    return OnGround(0) && OnGround(1) && FootX(0) == FootX(1) && PathY(0) == PathY(1);
+  }
 
   void WalkStep(const GaitParams& gait) {
     const int swing = next_foot_;

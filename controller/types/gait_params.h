@@ -65,12 +65,14 @@ struct EnumNames<FollowMode> {
 
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
-  double path_return_m{0.05};  ///< capture_point: largest drift back to the path in one step.
+  double path_return_m{0.05};    ///< capture_point: largest drift back to the path in one step.
+  double min_step_width_m{0.0};  ///< Of two feet: what no step adjustment may go below.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     visit("follow", self.follow);
     visit("path_return_m", self.path_return_m, Range{0.0, 1.0});
+    visit("min_step_width_m", self.min_step_width_m, Range{0.0, 1.0});
   }
 };
 

@@ -107,6 +107,7 @@ void InverseKinematics::Start(const RobotState& state) {
   commanded_.joint_position = state.joint_position;
   commanded_.joint_velocity.setZero();
   body_.Update(commanded_);
+  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i] = {true, body_.feet()[i].p_WF};
   started_ = true;
 }
 
@@ -141,7 +142,8 @@ void InverseKinematics::Build(const Eigen::Vector3d& v_WC, const RobotState& sta
   qp_.H.setZero();
   qp_.g.setZero();
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    AddFoot(i, feet[i], feet[i].planned_contact && state.feet[i].in_contact);
+    const bool has_landed = holds_[i].active || state.feet[i].in_contact;
+    AddFoot(i, feet[i], feet[i].planned_contact && has_landed);
   }
   qp_.A.bottomRows<3>() = body_.com_jacobian();
   qp_.b.tail<3>() = v_WC;
