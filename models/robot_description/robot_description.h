@@ -62,6 +62,11 @@ inline bool HasModel(const RobotDescription& robot) {
   return !robot.mjcf.empty() || !robot.urdf.empty();
 }
 
+/// The file of the robot's model, MJCF or URDF; empty if it has none.
+inline const std::filesystem::path& ModelFile(const RobotDescription& robot) {
+  return robot.urdf.empty() ? robot.mjcf : robot.urdf;
+}
+
 /// The MJCF of a robot that has a model: its file's text, or what its URDF becomes.
 /// Throws ConfigError if the file can't be read.
 std::string MjcfOf(const RobotDescription& robot);

@@ -9,11 +9,11 @@
 //                             sensor, an IMU, a sole or a hand is a link without mass
 //   revolute, continuous,     hinge or slide with the URDF's range, one motor each, in the order of
 //   prismatic joint           UrdfConversion::joints
-//   cylinder                  capsule of the same overall length where it is longer than wide:
-//   round
-//                             ends look and collide better; else a cylinder
+//   cylinder                  capsule of the same overall length where it is longer than wide, as
+//                             round ends look and collide better; else a cylinder
 //   collision shape           touches the floor; touches other shapes only if a pair of
 //                             self_collision says so; drawn only if its link has no visual shape
+//   visual shape              geom on an unnamed, massless body welded to its link's
 //   mesh                      a visual one is left out; a collision one is an error
 //
 // Force/torque sensors. MuJoCo measures between a body and its parent. A sensor whose link is fixed
@@ -21,9 +21,10 @@
 // the body: the distal part becomes a body `<name>_distal` of its own, welded to what remains,
 // with the named joints and shapes; the rest keeps the difference of mass, first and second moment,
 // so the robot as a whole stays as it was. Sensors are `<name>_force` and `<name>_torque`, in the
-// sensor's frame, about its origin: what the distal part does to the proximal one. A standing foot
-// reads a force upwards. This is MuJoCo's own sign when the site is on the distal body (checked by
-// test).
+// sensor's frame, about its origin. Their sign is MuJoCo's and can't be turned in an MJCF: what the
+// proximal part does to the distal one, so that a standing foot reads a force downwards (measured
+// with MuJoCo 2.2.2, pinned by a test). Who reads them for SensorFrame, which wants what the distal
+// part does to the proximal one, negates.
 
 #include <array>
 #include <filesystem>

@@ -41,7 +41,7 @@ void Print(const RobotDescription& robot) {
   std::printf("%s\n", robot.name.c_str());
   std::printf("  file    %s\n", robot.file.c_str());
   std::printf("  model   %s\n",
-              robot.mjcf.empty() ? "none: for the centroidal plant only" : robot.mjcf.c_str());
+              HasModel(robot) ? ModelFile(robot).c_str() : "none: for the centroidal plant only");
   std::printf("  feet    %s\n", Listed(feet).c_str());
   std::printf("  bodies  %s\n", Listed(names.bodies).c_str());
   std::printf("  frames  %s\n", Listed(names.frames).c_str());
