@@ -53,7 +53,9 @@ double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder
       timer.Reset();
       const auto start = std::chrono::steady_clock::now();
       control = &controller.Update(frame);
-      recorder->Add(tick, world->truth(), *control, ElapsedMs(start), timer.Spent_ms(Stage::kMpc));
+      const WallTimes wall{ElapsedMs(start), timer.Spent_ms(Stage::kMpc),
+                           timer.Spent_ms(Stage::kWholeBody)};
+      recorder->Add(tick, world->truth(), *control, wall);
       if (control->mpc.ran) {
         dump->Add(SecondsAt(tick, tick_s), controller.last_problem(), control->mpc.fell_back);
       }

@@ -16,16 +16,31 @@ std::string OfFoot(const std::string& foot, const std::string& expression) {
 
 std::string Column(const std::string& name) { return "(column(\"" + name + "\"))"; }
 
+// The four edges of the box that the foothold may move in, turned by the foot's yaw.
+void AddBoxToTopView(const std::string& foot, const std::string& color, std::ostream& script) {
+  const std::string cosine = "cos(column(\"yaw_rad\"))", sine = "sin(column(\"yaw_rad\"))";
+  const std::array<std::array<const char*, 2>, 4> corners{
+      {{"lower", "lower"}, {"upper", "lower"}, {"upper", "upper"}, {"lower", "upper"}}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto& next = corners[(i + 1) % corners.size()];
+    const std::string x = Column(std::string("box_") + corners[i][0] + "_x_m");
+    const std::string y = Column(std::string("box_") + corners[i][1] + "_y_m");
+    const std::string dx = "(" + Column(std::string("box_") + next[0] + "_x_m") + "-" + x + ")";
+    const std::string dy = "(" + Column(std::string("box_") + next[1] + "_y_m") + "-" + y + ")";
+    const std::string from_x =
+        Column("nominal_x_m") + "+" + cosine + "*" + x + "-" + sine + "*" + y;
+    const std::string from_y =
+        Column("nominal_y_m") + "+" + sine + "*" + x + "+" + cosine + "*" + y;
+    script << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, from_x) << ":(" << from_y
+           << "):(" << cosine << "*" << dx << "-" << sine << "*" << dy << "):(" << sine << "*" << dx
+           << "+" << cosine << "*" << dy << ") with vectors nohead linecolor rgb \"" << color
+           << "\" linewidth 0.3 notitle";
+  }
+}
+
 void AddFootToTopView(const std::string& foot, const std::string& color, std::ostream& script) {
+  AddBoxToTopView(foot, color, script);
   script << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
-         << Column("nominal_y_m") << ":"
-         << "(" << Column("nominal_x_m") << "+" << Column("box_lower_x_m") << "):"
-         << "(" << Column("nominal_x_m") << "+" << Column("box_upper_x_m") << "):"
-         << "(" << Column("nominal_y_m") << "+" << Column("box_lower_y_m") << "):"
-         << "(" << Column("nominal_y_m") << "+" << Column("box_upper_y_m") << ")"
-         << " with boxxyerror linecolor rgb \"" << color
-         << "\" linewidth 0.3 fillstyle empty notitle"
-         << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
          << Column("nominal_y_m") << ":(" << Column("adjusted_x_m") << "-" << Column("nominal_x_m")
          << "):(" << Column("adjusted_y_m") << "-" << Column("nominal_y_m")
          << ") with vectors head size screen 0.006,25 filled linecolor rgb \"" << color

@@ -35,10 +35,16 @@ std::vector<std::string> PlottedColumns(const std::vector<std::string>& feet) {
     add_vector(velocity, "mps");
   }
   add_vector("truth_h_C_W", "kgm2ps");
-  add_vector("push_force_W", "N");
+  for (const char* push : {"push", "belief_push"}) {
+    add_vector(std::string(push) + "_force_W", "N");
+    add_vector(std::string(push) + "_torque_C_W", "Nm");
+  }
   for (const std::string& foot : feet) {
     add_vector("truth_f_F_W_" + foot, "N");
+    add_vector("truth_m_F_W_" + foot, "Nm");
     add_vector("mpc_f_F_W_" + foot, "N");
+    columns.push_back("truth_p_WF_" + foot + "_z_m");
+    columns.push_back("swing_p_WF_" + foot + "_z_m");
     add_vector("nominal_p_WF_" + foot, "m");
     add_vector("adjusted_p_WF_" + foot, "m");
   }

@@ -14,6 +14,7 @@ std::string FootColor(std::size_t foot) {
 std::vector<PlotScript> AllScripts() {
   return {{"top_view", TopViewScript},  {"step_adjustment", AdjustmentScript},
           {"com", ComScript},           {"contact_forces", ContactForceScript},
+          {"feet", FeetScript},         {"external_wrench", ExternalWrenchScript},
           {"momentum", MomentumScript}, {"mpc_time", SolveScript}};
 }
 

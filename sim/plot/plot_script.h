@@ -58,4 +58,8 @@ std::string TopViewScript(const PlotData& data);
 std::string ContactForceScript(const PlotData& data);
 std::string AdjustmentScript(const PlotData& data);
 
+// body_scripts.cc
+std::string ExternalWrenchScript(const PlotData& data);  ///< The push, true and believed.
+std::string FeetScript(const PlotData& data);            ///< Heights and centres of pressure.
+
 }  // namespace sidestep::plot

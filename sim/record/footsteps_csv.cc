@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/record/footsteps_csv.h"
 
+#include <cmath>
+
 #include "controller/types/tick.h"
 #include "sim/record/output_file.h"
 
@@ -10,7 +12,7 @@ namespace {
 constexpr char kHeader[] =
     "foot,index,start_s,end_s,nominal_x_m,nominal_y_m,nominal_z_m,adjusted_x_m,adjusted_y_m,"
     "adjusted_z_m,realised_x_m,realised_y_m,realised_z_m,slip_m,box_lower_x_m,box_lower_y_m,"
-    "box_upper_x_m,box_upper_y_m\n";
+    "box_upper_x_m,box_upper_y_m,yaw_rad\n";
 
 void AppendCell(double value, std::string& text) {
   text.push_back(',');
@@ -42,6 +44,7 @@ std::string FootstepsCsv(const std::vector<FootstepRecord>& footsteps,
     AppendCell(step.slip_m, text);
     AppendCells(contact.box_lower_m.head<2>(), text);
     AppendCells(contact.box_upper_m.head<2>(), text);
+    AppendCell(std::atan2(contact.R_WF(1, 0), contact.R_WF(0, 0)), text);
     text.push_back('\n');
   }
   return text;

@@ -55,7 +55,7 @@ struct Recorder::State {
       : scenario(scenario_of_run),
         run_dir(PrepareFolder(folder)),
         feet(FootNames(scenario)),
-        table(feet, world.joints()),
+        table(feet, world.joints(), scenario.control.mode == ControlMode::kPosition),
         trajectory(run_dir / "trajectory.csv"),
         states(run_dir / "states.bin"),
         mpc(run_dir / "mpc.csv") {
@@ -86,22 +86,23 @@ Recorder::Recorder(const Scenario& scenario, const World& world,
 Recorder::~Recorder() = default;
 
 void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& control,
-                   double wall_control_ms, double wall_mpc_ms) {
+                   const WallTimes& wall) {
   State& state = *state_;
   const double time_s = SecondsAt(tick, state.scenario.world.step_s);
   state.row.clear();
-  state.table.AppendRow({time_s, truth, control, wall_control_ms, wall_mpc_ms}, state.row);
+  state.table.AppendRow({time_s, truth, control, wall}, state.row);
   state.trajectory.Append(state.row);
 
   state.row.clear();
   AppendStatesRow(time_s, truth, control, state.row);
   state.states.Append(state.row);
 
+  if (wall.whole_body_ms > 0.0) state.facts.whole_body_ms.push_back(wall.whole_body_ms);
   if (!control.mpc.ran) return;
   state.row.clear();
-  AppendMpcRow(time_s, control.mpc, wall_mpc_ms, state.row);
+  AppendMpcRow(time_s, control.mpc, wall.mpc_ms, state.row);
   state.mpc.Append(state.row);
-  state.facts.solve_ms.push_back(wall_mpc_ms);
+  state.facts.solve_ms.push_back(wall.mpc_ms);
 }
 
 void Recorder::Finish(const RunOutcome& outcome, double simulated_s, double wall_s) {

@@ -14,6 +14,7 @@
 
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
+#include "sim/record/wall_times.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/verdict.h"
 #include "sim/world/world.h"
@@ -30,11 +31,8 @@ class Recorder {
   ~Recorder();
 
   /// Adds the row of a control tick.
-  /// @param truth            State at `tick`, before the command acts.
-  /// @param wall_control_ms  Time that the controller took for this tick.
-  /// @param wall_mpc_ms      The MPC's part of it; 0 on ticks without a solve.
-  void Add(Tick tick, const WorldTruth& truth, const ControlTick& control, double wall_control_ms,
-           double wall_mpc_ms);
+  /// @param truth  State at `tick`, before the command acts.
+  void Add(Tick tick, const WorldTruth& truth, const ControlTick& control, const WallTimes& wall);
 
   /// Closes the streams, then writes footsteps.csv and summary.json. Call once.
   /// @param simulated_s  Time the run covered. @param wall_s  Time it took.

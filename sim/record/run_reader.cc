@@ -106,6 +106,7 @@ std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir) {
   const auto realised = triple("realised");
   const std::array lower{numbers("box_lower_x_m"), numbers("box_lower_y_m")};
   const std::array upper{numbers("box_upper_x_m"), numbers("box_upper_y_m")};
+  const auto yaw_rad = numbers("yaw_rad");
 
   std::vector<Footstep> steps(table.num_rows());
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -123,6 +124,7 @@ std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir) {
     if (at(realised).allFinite()) step.realised_p_WF = at(realised);
     step.box_lower_m << lower[0][i], lower[1][i];
     step.box_upper_m << upper[0][i], upper[1][i];
+    step.yaw_rad = yaw_rad[i];
   }
   return steps;
 }

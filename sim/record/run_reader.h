@@ -55,8 +55,9 @@ struct Footstep {
   Eigen::Vector3d adjusted_p_WF;
   std::optional<Eigen::Vector3d> realised_p_WF;  ///< Empty if the foot never landed.
   double slip_m{0.0};
-  Eigen::Vector2d box_lower_m;  ///< The box that adjusted - nominal must stay in, x and y.
+  Eigen::Vector2d box_lower_m;  ///< The box that adjusted - nominal must stay in, x and y of F.
   Eigen::Vector2d box_upper_m;
+  double yaw_rad{0.0};  ///< Of F about W's z.
 };
 
 /// A CSV file with one header row. Cells are views into the file's text, parsed when asked for.

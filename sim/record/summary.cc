@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace sidestep {
 namespace {
@@ -53,26 +54,47 @@ Json PushesJson(const RunOutcome& outcome) {
   return list;
 }
 
+Json JointsJson(const std::vector<JointRecord>& records) {
+  Json joints = Json::object();
+  for (const JointRecord& record : records) {
+    const bool is_slide = record.joint.is_slide;
+    joints[record.joint.name] = {
+        {is_slide ? "peak_force_N" : "peak_torque_Nm", record.peak_torque_Nm},
+        {is_slide ? "limit_N" : "limit_Nm", record.joint.torque_limit_Nm}};
+  }
+  return joints;
+}
+
+Json TimesJson(const std::vector<double>& times_ms, double deadline_ms) {
+  const StageTimes times = Summarise(times_ms, deadline_ms);
+  return {{"mean", times.mean_ms}, {"p50", times.p50_ms},     {"p99", times.p99_ms},
+          {"max", times.max_ms},   {"deadline", deadline_ms}, {"misses", times.misses},
+          {"count", times.count}};
+}
+
 }  // namespace
 
-SolveTimes SummariseSolveTimes(std::vector<double> solve_ms, double deadline_ms) {
+StageTimes Summarise(std::vector<double> times_ms, double deadline_ms) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  if (solve_ms.empty()) return {kNaN, kNaN, kNaN, 0, 0};
-  std::sort(solve_ms.begin(), solve_ms.end());
+  if (times_ms.empty()) return {kNaN, kNaN, kNaN, kNaN, 0, 0};
+  const auto count = static_cast<double>(times_ms.size());
+  std::sort(times_ms.begin(), times_ms.end());
   const auto percentile = [&](double share) {
-    const double rank = std::ceil(share * static_cast<double>(solve_ms.size()));
-    return solve_ms[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+    const double rank = std::ceil(share * count);
+    return times_ms[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
   };
   const auto misses =
-      std::count_if(solve_ms.begin(), solve_ms.end(), [&](double ms) { return ms > deadline_ms; });
-  return {percentile(0.5), percentile(0.99), solve_ms.back(), static_cast<int>(misses),
-          static_cast<int>(solve_ms.size())};
+      std::count_if(times_ms.begin(), times_ms.end(), [&](double ms) { return ms > deadline_ms; });
+  return {std::accumulate(times_ms.begin(), times_ms.end(), 0.0) / count,
+          percentile(0.5),
+          percentile(0.99),
+          times_ms.back(),
+          static_cast<int>(misses),
+          static_cast<int>(times_ms.size())};
 }
 
 std::string SummaryJson(const Scenario& scenario, const RunOutcome& outcome,
                         const RunFacts& facts) {
-  const double deadline_ms = 1000.0 / scenario.control.mpc.rate_hz;
-  const SolveTimes times = SummariseSolveTimes(facts.solve_ms, deadline_ms);
   Json metrics = Json::object();
   for (const auto& [name, value] : outcome.metrics) metrics[name] = FromMetric(value);
   Json versions = Json::object();
@@ -86,9 +108,9 @@ std::string SummaryJson(const Scenario& scenario, const RunOutcome& outcome,
   summary["expectations"] = ExpectationsJson(outcome.verdict.expectations);
   summary["metrics"] = metrics;
   summary["pushes"] = PushesJson(outcome);
-  summary["solve_time_ms"] = {{"p50", times.p50_ms},    {"p99", times.p99_ms},
-                              {"max", times.max_ms},    {"deadline", deadline_ms},
-                              {"misses", times.misses}, {"count", times.count}};
+  summary["joints"] = JointsJson(outcome.joints);
+  summary["solve_time_ms"] = TimesJson(facts.solve_ms, 1000.0 / scenario.control.mpc.rate_hz);
+  summary["whole_body_time_ms"] = TimesJson(facts.whole_body_ms, 1000.0 / scenario.control.rate_hz);
   summary["versions"] = versions;
   summary["seed"] = scenario.seed;
   summary["command"] = facts.command;

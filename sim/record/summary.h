@@ -10,17 +10,18 @@
 
 namespace sidestep {
 
-/// Wall-clock figures of the MPC's solves (ms). NaN without a solve.
-struct SolveTimes {
+/// Wall-clock figures of a stage's runs (ms). NaN without a run.
+struct StageTimes {
+  double mean_ms;
   double p50_ms;
   double p99_ms;
   double max_ms;
-  int misses;  ///< Solves that took longer than the deadline.
+  int misses;  ///< Runs that took longer than the deadline.
   int count;
 };
 
 /// Percentiles are the smallest sample that at least that share of the samples does not exceed.
-SolveTimes SummariseSolveTimes(std::vector<double> solve_ms, double deadline_ms);
+StageTimes Summarise(std::vector<double> times_ms, double deadline_ms);
 
 /// Versions of this program and of what it is built on, {name, version}.
 std::vector<std::pair<std::string, std::string>> Versions();
@@ -28,7 +29,8 @@ std::vector<std::pair<std::string, std::string>> Versions();
 /// What the summary tells beside the outcome.
 struct RunFacts {
   std::vector<std::string> command;
-  std::vector<double> solve_ms;  ///< One a solve.
+  std::vector<double> solve_ms;       ///< One a solve of the MPC.
+  std::vector<double> whole_body_ms;  ///< One a run of the whole-body control.
   double simulated_s{0.0};
   double wall_s{0.0};
 };

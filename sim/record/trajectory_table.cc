@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/record/trajectory_table.h"
 
+#include <Eigen/Geometry>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -38,6 +40,15 @@ class TrajectoryTable::Line {
     }
   }
 
+  void Quaternion(std::string_view stem, std::string_view name, const Eigen::Quaterniond& value,
+                  bool is_known = true) {
+    constexpr std::array<std::string_view, 4> kParts{"_w", "_x", "_y", "_z"};
+    const std::array<double, 4> numbers{value.w(), value.x(), value.y(), value.z()};
+    for (std::size_t part = 0; part < 4; ++part) {
+      Number(stem, name, kParts[part], numbers[part], is_known);
+    }
+  }
+
   void Flag(std::string_view stem, std::string_view name, bool value, bool is_known = true) {
     Number(stem, name, {}, value ? 1.0 : 0.0, is_known);
   }
@@ -64,17 +75,19 @@ double Entry(const Eigen::VectorXd& vector, std::size_t at) {
 
 }  // namespace
 
-TrajectoryTable::TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints)
-    : feet_(std::move(feet)), joints_(std::move(joints)) {}
+TrajectoryTable::TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints,
+                                 bool has_references)
+    : feet_(std::move(feet)), joints_(std::move(joints)), has_references_(has_references) {}
 
 std::string TrajectoryTable::Header() const {
   WorldTruth truth;
   truth.feet.resize(feet_.size());
   truth.joint_position.setZero(static_cast<Eigen::Index>(joints_.size()));
+  truth.joint_torque_Nm = truth.joint_position;
   const ControlTick control;
   std::string text;
   Line line(text, true);
-  Walk({0.0, truth, control, 0.0, 0.0}, line);
+  Walk({0.0, truth, control, {}}, line);
   return text;
 }
 
@@ -91,19 +104,34 @@ void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
   WalkTruth(row.truth, line);
   WalkBelief(row.control, line);
   WalkPlan(row.control, line);
-  const Eigen::VectorXd& torque = row.control.command.torque_Nm;
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const bool is_known = static_cast<Eigen::Index>(i) < torque.size();
-    line.Number("command_", joints_[i].name, joints_[i].is_slide ? "_N" : "_Nm", Entry(torque, i),
-                is_known);
-    line.Number("joint_", joints_[i].name, joints_[i].is_slide ? "_m" : "_rad",
-                Entry(row.truth.joint_position, i));
-  }
+  WalkJoints(row, line);
   line.Number("wbc_status", {}, {}, row.control.wbc.status);
   line.Number("mpc_age_s", {}, {}, row.control.mpc_age_s);
-  line.Number("wall_control_ms", {}, {}, row.wall_control_ms);
-  line.Number("wall_mpc_ms", {}, {}, row.wall_mpc_ms);
+  line.Number("wall_control_ms", {}, {}, row.wall.control_ms);
+  line.Number("wall_whole_body_ms", {}, {}, row.wall.whole_body_ms);
+  line.Number("wall_mpc_ms", {}, {}, row.wall.mpc_ms);
   line.End();
+}
+
+void TrajectoryTable::WalkJoints(const TrajectoryRow& row, Line& line) const {
+  const ActuatorCommand& command = row.control.command;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const std::string& name = joints_[i].name;
+    const bool is_slide = joints_[i].is_slide;
+    const auto at = static_cast<Eigen::Index>(i);
+    if (has_references_) {
+      const bool is_known = at < command.joint_position.size();
+      line.Number("command_", name, is_slide ? "_m" : "_rad", Entry(command.joint_position, i),
+                  is_known);
+      line.Number("command_", name, is_slide ? "_mps" : "_radps", Entry(command.joint_velocity, i),
+                  is_known);
+    } else {
+      line.Number("command_", name, is_slide ? "_N" : "_Nm", Entry(command.torque_Nm, i),
+                  at < command.torque_Nm.size());
+    }
+    line.Number("joint_", name, is_slide ? "_m" : "_rad", Entry(row.truth.joint_position, i));
+    line.Number("joint_", name, is_slide ? "_N" : "_Nm", Entry(row.truth.joint_torque_Nm, i));
+  }
 }
 
 void TrajectoryTable::WalkTruth(const WorldTruth& truth, Line& line) const {
@@ -111,19 +139,23 @@ void TrajectoryTable::WalkTruth(const WorldTruth& truth, Line& line) const {
   line.Vector("truth_v_WC", {}, "_mps", truth.v_WC);
   line.Vector("truth_h_C_W", {}, "_kgm2ps", truth.angular_momentum);
   line.Vector("truth_p_WB", {}, "_m", truth.p_WB);
-  line.Number("truth_q_WB_w", {}, {}, truth.q_WB.w());
-  line.Number("truth_q_WB_x", {}, {}, truth.q_WB.x());
-  line.Number("truth_q_WB_y", {}, {}, truth.q_WB.y());
-  line.Number("truth_q_WB_z", {}, {}, truth.q_WB.z());
+  line.Quaternion("truth_q_WB", {}, truth.q_WB);
   line.Number("truth_tilt_rad", {}, {}, TiltRad(truth.q_WB));
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     line.Vector("truth_p_WF_", feet_[i], "_m", truth.feet[i].p_WF);
+    line.Quaternion("truth_q_WF_", feet_[i], Eigen::Quaterniond(truth.feet[i].R_WF));
     line.Vector("truth_f_F_W_", feet_[i], "_N", truth.feet[i].f_F_W);
+    line.Vector("truth_m_F_W_", feet_[i], "_Nm", truth.feet[i].m_F_W);
     line.Flag("truth_contact_", feet_[i], truth.feet[i].in_contact);
   }
   Eigen::Vector3d push_force_W_N = Eigen::Vector3d::Zero();
-  for (const PushTruth& push : truth.pushes) push_force_W_N += push.force_W_N;
+  Eigen::Vector3d push_torque_C_W_Nm = Eigen::Vector3d::Zero();
+  for (const PushTruth& push : truth.pushes) {
+    push_force_W_N += push.force_W_N;
+    push_torque_C_W_Nm += (push.p_W - truth.p_WC).cross(push.force_W_N);
+  }
   line.Vector("push_force_W", {}, "_N", push_force_W_N);
+  line.Vector("push_torque_C_W", {}, "_Nm", push_torque_C_W_Nm);
 }
 
 void TrajectoryTable::WalkBelief(const ControlTick& control, Line& line) const {
@@ -132,10 +164,15 @@ void TrajectoryTable::WalkBelief(const ControlTick& control, Line& line) const {
   line.Vector("belief_v_WC", {}, "_mps", state.v_WC);
   line.Vector("belief_h_C_W", {}, "_kgm2ps", state.angular_momentum);
   line.Vector("belief_p_WB", {}, "_m", state.p_WB);
+  line.Vector("belief_push_force_W", {}, "_N", state.external_wrench.force_N);
+  line.Vector("belief_push_torque_C_W", {}, "_Nm", state.external_wrench.torque_Nm);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const bool is_known = i < state.feet.size();
     const FootState foot = is_known ? state.feet[i] : FootState{};
     line.Vector("belief_p_WF_", feet_[i], "_m", foot.p_WF, is_known);
+    line.Quaternion("belief_q_WF_", feet_[i], Eigen::Quaterniond(foot.R_WF), is_known);
+    line.Vector("belief_f_F_W_", feet_[i], "_N", foot.wrench.force_N, is_known);
+    line.Vector("belief_m_F_W_", feet_[i], "_Nm", foot.wrench.torque_Nm, is_known);
     line.Flag("belief_contact_", feet_[i], foot.in_contact, is_known);
   }
 }

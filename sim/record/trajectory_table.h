@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "controller/types/control_tick.h"
+#include "sim/record/wall_times.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
@@ -19,13 +20,14 @@ struct TrajectoryRow {
   double time_s;
   const WorldTruth& truth;
   const ControlTick& control;
-  double wall_control_ms;
-  double wall_mpc_ms;
+  WallTimes wall;
 };
 
 class TrajectoryTable {
  public:
-  TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints);
+  /// @param has_references  Whether commands are references of servos.
+  TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints,
+                  bool has_references);
 
   /// The first line, with its end.
   std::string Header() const;
@@ -39,9 +41,11 @@ class TrajectoryTable {
   void WalkTruth(const WorldTruth& truth, Line& line) const;
   void WalkBelief(const ControlTick& control, Line& line) const;
   void WalkPlan(const ControlTick& control, Line& line) const;
+  void WalkJoints(const TrajectoryRow& row, Line& line) const;
 
   std::vector<std::string> feet_;
   std::vector<JointInfo> joints_;
+  bool has_references_;
 };
 
 }  // namespace sidestep

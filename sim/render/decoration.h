@@ -27,7 +27,7 @@ Color FootColor(std::size_t foot);
 enum class Shape {
   kArrow,  ///< From `from` to its tip `to`, shaft of half width `radius_m`.
   kLine,   ///< A round bar from `from` to `to`.
-  kSlab,   ///< A flat box on the floor centred at `from`, half extents `half_m`.
+  kSlab,   ///< A flat box on the floor centred at `from`, half extents `half_m`, turned by yaw_rad.
   kBall    ///< At `from`.
 };
 
@@ -37,6 +37,7 @@ struct Decoration {
   Eigen::Vector3d to{Eigen::Vector3d::Zero()};
   Eigen::Vector3d half_m{Eigen::Vector3d::Zero()};
   double radius_m{0.0};
+  double yaw_rad{0.0};  ///< About z.
   Color color{Color::Ones()};
   std::string label;  ///< Drawn at `from`; empty for none.
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/render/foothold_marks.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace sidestep::render {
@@ -19,6 +20,7 @@ struct Mark {
   std::size_t foot{0};
   Eigen::Vector3d nominal_p_WF;
   Eigen::Vector3d adjusted_p_WF;
+  double yaw_rad{0.0};
   double alpha{1.0};
 };
 
@@ -39,26 +41,29 @@ Rectangle RectangleOf(const std::string& foot, const std::vector<Sole>& soles,
   return {Eigen::Vector3d::Zero(), Eigen::Vector2d::Constant(point_half_m)};
 }
 
-Decoration Slab(const Eigen::Vector3d& center, double half_x_m, double half_y_m, double half_z_m,
+Decoration Slab(const Eigen::Vector3d& center, const Eigen::Vector3d& half_m, double yaw_rad,
                 const Color& color) {
   Decoration slab;
   slab.shape = Shape::kSlab;
   slab.from = center;
-  slab.half_m << half_x_m, half_y_m, half_z_m;
+  slab.half_m = half_m;
+  slab.yaw_rad = yaw_rad;
   slab.color = color;
   return slab;
 }
 
+Eigen::AngleAxisd About(double yaw_rad) { return {yaw_rad, Eigen::Vector3d::UnitZ()}; }
+
 // Four bars that together are the rectangle's outline.
-void AddOutline(const Eigen::Vector3d& center, const Eigen::Vector2d& half_m, const Color& color,
-                const DrawScale& scale, std::vector<Decoration>* marks) {
+void AddOutline(const Eigen::Vector3d& center, const Eigen::Vector2d& half_m, double yaw_rad,
+                const Color& color, const DrawScale& scale, std::vector<Decoration>* marks) {
   const double bar_m = kOutlineHalfWidth * scale.com_height_m;
   const double up_m = 2.0 * kPlateHalfThickness * scale.com_height_m;  // above adjusted plates
   for (const double side : {-1.0, 1.0}) {
-    const Eigen::Vector3d across(0.0, side * half_m.y(), 0.0);
-    const Eigen::Vector3d along(side * half_m.x(), 0.0, 0.0);
-    marks->push_back(Slab(center + across, half_m.x() + bar_m, bar_m, up_m, color));
-    marks->push_back(Slab(center + along, bar_m, half_m.y() - bar_m, up_m, color));
+    const Eigen::Vector3d across = About(yaw_rad) * Eigen::Vector3d(0.0, side * half_m.y(), 0.0);
+    const Eigen::Vector3d along = About(yaw_rad) * Eigen::Vector3d(side * half_m.x(), 0.0, 0.0);
+    marks->push_back(Slab(center + across, {half_m.x() + bar_m, bar_m, up_m}, yaw_rad, color));
+    marks->push_back(Slab(center + along, {bar_m, half_m.y() - bar_m, up_m}, yaw_rad, color));
   }
 }
 
@@ -69,10 +74,11 @@ void AddMark(const Mark& mark, const Rectangle& sole, const DrawScale& scale,
   Color tint = FootColor(mark.foot);
   grey.w() *= static_cast<float>(mark.alpha);
   tint.w() *= static_cast<float>(mark.alpha);
-  const Eigen::Vector3d nominal = mark.nominal_p_WF + sole.center;
-  const Eigen::Vector3d adjusted = mark.adjusted_p_WF + sole.center;
-  AddOutline(nominal, sole.half_m, grey, scale, marks);
-  marks->push_back(Slab(adjusted, sole.half_m.x(), sole.half_m.y(), thick_m, tint));
+  const Eigen::Vector3d middle = About(mark.yaw_rad) * sole.center;
+  const Eigen::Vector3d nominal = mark.nominal_p_WF + middle;
+  const Eigen::Vector3d adjusted = mark.adjusted_p_WF + middle;
+  AddOutline(nominal, sole.half_m, mark.yaw_rad, grey, scale, marks);
+  marks->push_back(Slab(adjusted, {sole.half_m.x(), sole.half_m.y(), thick_m}, mark.yaw_rad, tint));
   if ((adjusted - nominal).norm() > kMoved_m) {
     Decoration line;
     line.shape = Shape::kLine;
@@ -82,6 +88,14 @@ void AddMark(const Mark& mark, const Rectangle& sole, const DrawScale& scale,
     line.color = tint;
     marks->push_back(line);
   }
+}
+
+// Yaw of the foot's contact that lasts at `time_s` or comes next; the log's rows don't tell it.
+double YawFrom(double time_s, const std::string& foot, const std::vector<Footstep>& footsteps) {
+  for (const Footstep& step : footsteps) {
+    if (step.foot == foot && step.end_s > time_s) return step.yaw_rad;
+  }
+  return 0.0;
 }
 
 // Contacts of the past, then each foot's current or next one unless it is among them.
@@ -96,6 +110,7 @@ std::vector<Mark> MarksAt(const StateRow& row, const std::vector<std::string>& f
     mark.foot = static_cast<std::size_t>(foot - feet.begin());
     mark.nominal_p_WF = step.nominal_p_WF;
     mark.adjusted_p_WF = step.adjusted_p_WF;
+    mark.yaw_rad = step.yaw_rad;
     if (age_s > 0.0) mark.alpha = std::max(kOldestAlpha, 1.0 - age_s / memory_s);
     marks.push_back(mark);
   }
@@ -111,7 +126,8 @@ std::vector<Mark> MarksAt(const StateRow& row, const std::vector<std::string>& f
     if (same != end) {
       same->alpha = 1.0;
     } else {
-      marks.push_back({i, foot.nominal_p_WF, foot.adjusted_p_WF, 1.0});
+      const double yaw_rad = i < feet.size() ? YawFrom(row.time_s, feet[i], footsteps) : 0.0;
+      marks.push_back({i, foot.nominal_p_WF, foot.adjusted_p_WF, yaw_rad, 1.0});
     }
   }
   return marks;

@@ -22,7 +22,8 @@ struct Sole {
 
 /// Marks to draw at row.time_s: of every contact that ended in the last `memory_s` or still
 /// lasts, and of each foot's current or next one. Past contacts fade. A foothold that was moved
-/// gets a line from its nominal place. The log keeps no yaw of footholds: soles are drawn along x.
+/// gets a line from its nominal place. Soles have the yaw of their contact among the footsteps, or
+/// lie along x where there is none.
 ///
 /// @param feet   Names of the feet in the order of row.feet.
 /// @param soles  One per foot, in any order; a foot without one is drawn as a point.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "models/support/config_error.h"
 #include "models/support/require.h"
@@ -138,10 +139,13 @@ void SceneRenderer::AddDecoration(const Decoration& decoration) {
       if (type == mjGEOM_ARROW) geom->size[2] *= 2.0F;
       break;
     }
-    case Shape::kSlab:
-      mjv_initGeom(geom, mjGEOM_BOX, decoration.half_m.data(), decoration.from.data(), nullptr,
+    case Shape::kSlab: {
+      const double cosine = std::cos(decoration.yaw_rad), sine = std::sin(decoration.yaw_rad);
+      const std::array<double, 9> turn{cosine, -sine, 0.0, sine, cosine, 0.0, 0.0, 0.0, 1.0};
+      mjv_initGeom(geom, mjGEOM_BOX, decoration.half_m.data(), decoration.from.data(), turn.data(),
                    decoration.color.data());
       break;
+    }
     case Shape::kBall: {
       const std::array<double, 3> size{radius_m, radius_m, radius_m};
       mjv_initGeom(geom, mjGEOM_SPHERE, size.data(), decoration.from.data(), nullptr,

@@ -169,6 +169,8 @@ void AddFoot(const FootNow& foot, Row* row) {
   const std::string& name = foot.name;
   row->AddVector("truth_p_WF_" + name, "m", foot.p_WF);
   row->AddVector("truth_f_F_W_" + name, "N", foot.f_F_W);
+  row->AddVector("truth_m_F_W_" + name, "Nm", Eigen::Vector3d(0.3, -0.5, 0.0));
+  row->AddVector("swing_p_WF_" + name, "m", foot.p_WF);
   row->Add("truth_contact_" + name, foot.is_down ? 1 : 0);
   row->Add("planned_contact_" + name, foot.is_down ? 1 : 0);
   row->AddVector("mpc_f_F_W_" + name, "N", 0.95 * foot.f_F_W);
@@ -191,6 +193,9 @@ Row TrajectoryRow(double time_s, const Moment& moment) {
   row.Add("truth_tilt_rad", moment.tilt_rad);
   for (const FootNow& foot : FeetAt(moment)) AddFoot(foot, &row);
   row.AddVector("push_force_W", "N", moment.push_N);
+  row.AddVector("push_torque_C_W", "Nm", 0.1 * moment.push_N);
+  row.AddVector("belief_push_force_W", "N", 0.8 * moment.push_N);
+  row.AddVector("belief_push_torque_C_W", "Nm", 0.08 * moment.push_N);
   row.AddVector("belief_p_WC", "m", moment.p_WC + Eigen::Vector3d(0.001, -0.001, 0.0));
   row.AddVector("belief_v_WC", "mps", moment.v_WC);
   row.AddVector("belief_h_C_W", "kgm2ps", Eigen::Vector3d::Zero());
@@ -237,12 +242,12 @@ void WriteFootsteps(const std::filesystem::path& dir, const SyntheticRun& run) {
   std::ofstream out(dir / "footsteps.csv");
   out << "foot,index,start_s,end_s,nominal_x_m,nominal_y_m,nominal_z_m,adjusted_x_m,adjusted_y_m,"
          "adjusted_z_m,realised_x_m,realised_y_m,realised_z_m,slip_m,box_lower_x_m,box_lower_y_m,"
-         "box_upper_x_m,box_upper_y_m\n"
-      << "left,0,0," << run.duration_s << ",0,0.08,0,0,0.08,0,0,0.08,0,0.001,0,0,0,0\n"
-      << "right,0,0," << lift_s << ",0,-0.08,0,0,-0.08,0,0,-0.08,0,0.001,0,0,0,0\n";
+         "box_upper_x_m,box_upper_y_m,yaw_rad\n"
+      << "left,0,0," << run.duration_s << ",0,0.08,0,0,0.08,0,0,0.08,0,0.001,0,0,0,0,0\n"
+      << "right,0,0," << lift_s << ",0,-0.08,0,0,-0.08,0,0,-0.08,0,0.001,0,0,0,0,0\n";
   if (lift_s + kSwing_s < run.duration_s) {
     out << "right,1," << lift_s + kSwing_s << "," << run.duration_s
-        << ",0.1,-0.08,0,0.12,-0.03,0,0.118,-0.032,0,0.002,-0.05,-0.03,0.05,0.07\n";
+        << ",0.1,-0.08,0,0.12,-0.03,0,0.118,-0.032,0,0.002,-0.05,-0.03,0.05,0.07,0.3\n";
   }
 }
 

@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "models/support/config_error.h"
 #include "sim/plot/plot_script.h"
@@ -65,7 +69,8 @@ TEST(PlotRunTest, EachPlotIsAWholeSvgAndAWholePngOfFullSize) {
 }
 
 TEST(PlotRunTest, PlotsOverTimeShadeThePush) {
-  for (const std::string name : {"com", "contact_forces", "momentum", "step_adjustment"}) {
+  for (const std::string name :
+       {"com", "contact_forces", "external_wrench", "feet", "momentum", "step_adjustment"}) {
     const std::string svg = TextOf(PlottedRun() / "plots" / (name + ".svg"));
     EXPECT_TRUE(Has(svg, "204,   0, 102") || Has(svg, "#cc0066") || Has(svg, "#CC0066")) << name;
     EXPECT_TRUE(Has(TextOf(PlottedRun() / "plots" / (name + ".gp")),
@@ -82,8 +87,39 @@ TEST(PlotRunTest, TitlesUnitsAndFeetAreWritten) {
   EXPECT_TRUE(Has(svg("com"), "(m/s)"));
   EXPECT_TRUE(Has(svg("top_view"), "left, adjusted"));
   EXPECT_TRUE(Has(svg("contact_forces"), "right, MPC"));
+  EXPECT_TRUE(Has(svg("external_wrench"), "moment about C"));
+  EXPECT_TRUE(Has(svg("external_wrench"), "believed"));
+  EXPECT_TRUE(Has(svg("feet"), "CoP, y from F (m)"));
   EXPECT_TRUE(Has(svg("mpc_time"), "deadline"));
   EXPECT_TRUE(Has(svg("mpc_time"), "iterations"));
+}
+
+/// Points "x y" that gnuplot draws for `script` run after the data of a plotted run.
+std::vector<Eigen::Vector2d> Numbers(const std::string& table) {
+  std::vector<Eigen::Vector2d> points;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    Eigen::Vector2d point;
+    if (std::istringstream(line) >> point.x() >> point.y()) points.push_back(point);
+  }
+  return points;
+}
+
+TEST(PlotRunTest, BoxesOfTheTopViewAreTurnedByTheFootsYaw) {
+  // gnuplot tables what it would draw; the last foothold is turned by 0.3 rad about (0.1, -0.08).
+  const auto plots = PlottedRun() / "plots";
+  const std::string script = TextOf(plots / "top_view.gp");
+  RunOrThrow({"gnuplot", "-e", "set table 'top_view.txt'", "top_view.gp"}, "", plots);
+  const std::vector<Eigen::Vector2d> drawn = Numbers(TextOf(plots / "top_view.txt"));
+  const Eigen::Rotation2Dd turn(0.3);
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(-0.05, -0.03), Eigen::Vector2d(0.05, -0.03), Eigen::Vector2d(0.05, 0.07),
+        Eigen::Vector2d(-0.05, 0.07)}) {
+    const Eigen::Vector2d expected = Eigen::Vector2d(0.1, -0.08) + turn * corner;
+    EXPECT_TRUE(std::any_of(drawn.begin(), drawn.end(), [&](const Eigen::Vector2d& point) {
+      return (point - expected).norm() < 1e-4;
+    })) << expected.transpose();
+  }
 }
 
 TEST(PlotRunTest, AScriptDrawsItsPlotAgainByItself) {

@@ -46,6 +46,7 @@ class ScriptedWorld final : public World {
       : joints_(std::move(joints)) {
     written.qpos.setZero(21);
     written.joint_position.setZero(static_cast<Eigen::Index>(joints_.size()));
+    written.joint_torque_Nm = written.joint_position;
     written.feet.resize(scenario.description_of_robot.feet.size());
     written.pushes.resize(scenario.pushes.size());
   }
@@ -84,6 +85,8 @@ inline ControlTick BusyControl(Tick tick) {
   control.tick = tick;
   control.state.p_WC = {0.1, 0.2, 0.3};
   control.state.feet.resize(2);
+  control.state.feet[0].wrench = {{10.1, 10.2, 10.3}, {10.4, 10.5, 10.6}};
+  control.state.external_wrench = {{9.1, 9.2, 9.3}, {9.4, 9.5, 9.6}};
   control.reference.v_WC = {1.1, 1.2, 1.3};
   control.com.p_WC = {2.1, 2.2, 2.3};
   control.feet.resize(2);

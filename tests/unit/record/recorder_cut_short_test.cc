@@ -21,7 +21,7 @@ TEST_F(RecorderCutShortTest, FilesOnDiskEndWithWholeRowsWhileTheRunGoesOn) {
   Recorder recorder(scenario, world, folder_, {});
   // 1,000 rows exceed every buffer.
   for (Tick tick = 0; tick < 2000; tick += 2) {
-    recorder.Add(tick, world.truth(), BusyControl(tick), 1.0, 1.0);
+    recorder.Add(tick, world.truth(), BusyControl(tick), {1.0, 1.0, 0.125});
   }
   const std::string text = ReadWholeFile(folder_ / "trajectory.csv");
   EXPECT_EQ(text.back(), '\n');
@@ -36,7 +36,7 @@ TEST_F(RecorderCutShortTest, RunThatIsAbandonedKeepsEveryRow) {
   {
     Recorder recorder(scenario, world, folder_, {});
     for (Tick tick = 0; tick < 20; tick += 2) {
-      recorder.Add(tick, world.truth(), BusyControl(tick), 1.0, 1.0);
+      recorder.Add(tick, world.truth(), BusyControl(tick), {1.0, 1.0, 0.125});
     }
   }
   EXPECT_EQ(CsvTable::Read(folder_ / "trajectory.csv").num_rows(), 10u);

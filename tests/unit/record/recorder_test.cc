@@ -19,12 +19,14 @@ TEST_F(RecorderTest, RowsReadBackBitForBit) {
   world.written.p_WC = {1.0 / 3.0, -2.0e-17, 1e300};
   world.written.q_WB = Eigen::Quaterniond(0.5, 0.1, 0.2, 0.3);
   world.written.feet[1].f_F_W = {7.1, 7.2, 7.3};
+  world.written.feet[1].m_F_W = {8.1, 8.2, 8.3};
+  world.written.feet[1].R_WF = Eigen::Quaterniond(0.6, 0.0, 0.0, 0.8).toRotationMatrix();
   world.written.feet[1].in_contact = true;
   world.written.pushes[0].force_W_N = {1.0, 2.0, 3.0};
   world.written.pushes[1].force_W_N = {10.0, 20.0, 30.0};
   Recorder recorder(scenario, world, folder_, {"sidestep", "run"});
-  recorder.Add(0, world.truth(), BusyControl(0), 1.25, 1.0);
-  recorder.Add(2, world.truth(), BusyControl(2), 0.25, 0.75);
+  recorder.Add(0, world.truth(), BusyControl(0), {1.25, 1.0, 0.125});
+  recorder.Add(2, world.truth(), BusyControl(2), {0.25, 0.75, 0.125});
   recorder.Finish({}, 0.004, 0.1);
 
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
@@ -37,10 +39,17 @@ TEST_F(RecorderTest, RowsReadBackBitForBit) {
   EXPECT_EQ(last("truth_q_WB_w"), 0.5);
   EXPECT_EQ(last("truth_q_WB_z"), 0.3);
   EXPECT_EQ(last("truth_f_F_W_right_z_N"), 7.3);
+  EXPECT_EQ(last("truth_m_F_W_right_y_Nm"), 8.2);
+  EXPECT_NEAR(last("truth_q_WF_right_z"), 0.8, 1e-15);
+  EXPECT_EQ(last("truth_q_WF_left_w"), 1.0);
   EXPECT_EQ(last("truth_contact_right"), 1.0);
   EXPECT_EQ(last("truth_contact_left"), 0.0);
   EXPECT_EQ(last("push_force_W_y_N"), 22.0) << "the sum of both pushes";
   EXPECT_EQ(last("belief_p_WC_y_m"), 0.2);
+  EXPECT_EQ(last("belief_push_force_W_x_N"), 9.1);
+  EXPECT_EQ(last("belief_push_torque_C_W_z_Nm"), 9.6);
+  EXPECT_EQ(last("belief_f_F_W_left_z_N"), 10.3);
+  EXPECT_EQ(last("belief_m_F_W_left_x_Nm"), 10.4);
   EXPECT_EQ(last("reference_v_WC_z_mps"), 1.3);
   EXPECT_EQ(last("mpc_p_WC_x_m"), 2.1);
   EXPECT_EQ(last("planned_contact_right"), 1.0);
@@ -50,6 +59,7 @@ TEST_F(RecorderTest, RowsReadBackBitForBit) {
   EXPECT_EQ(last("adjusted_p_WF_right_z_m"), 6.3);
   EXPECT_EQ(last("mpc_age_s"), 0.004);
   EXPECT_EQ(last("wall_control_ms"), 0.25);
+  EXPECT_EQ(last("wall_whole_body_ms"), 0.125);
   EXPECT_EQ(table.header().back(), "wall_mpc_ms") << "wall-clock columns come last";
 }
 
@@ -61,8 +71,8 @@ TEST_F(RecorderTest, StatesHoldTheStrongestPushAndThePlan) {
   world.written.pushes[1] = {{8.0, 0.0, 0.0}, {2.0, 2.0, 2.0}};
   world.written.feet[0].p_WF = {0.5, 0.6, 0.7};
   Recorder recorder(scenario, world, folder_, {});
-  recorder.Add(0, world.truth(), BusyControl(0), 1.0, 1.0);
-  recorder.Add(2, world.truth(), ControlTick{}, 1.0, 0.0);
+  recorder.Add(0, world.truth(), BusyControl(0), {1.0, 1.0, 0.125});
+  recorder.Add(2, world.truth(), ControlTick{}, {1.0, 0.0, 0.125});
   recorder.Finish({}, 0.004, 0.1);
 
   const StateLog log = ReadStates(folder_);
@@ -83,10 +93,10 @@ TEST_F(RecorderTest, SolvesHaveARowEachAndOtherTicksHaveNone) {
   const Scenario scenario = TwoFeetScenario();
   const ScriptedWorld world(scenario);
   Recorder recorder(scenario, world, folder_, {});
-  recorder.Add(0, world.truth(), BusyControl(0), 3.0, 2.5);
+  recorder.Add(0, world.truth(), BusyControl(0), {3.0, 2.5, 0.125});
   ControlTick quiet = BusyControl(2);
   quiet.mpc.ran = false;
-  recorder.Add(2, world.truth(), quiet, 0.5, 0.0);
+  recorder.Add(2, world.truth(), quiet, {0.5, 0.0, 0.125});
   recorder.Finish({}, 0.004, 0.1);
 
   const CsvTable table = CsvTable::Read(folder_ / "mpc.csv");
@@ -96,6 +106,8 @@ TEST_F(RecorderTest, SolvesHaveARowEachAndOtherTicksHaveNone) {
   EXPECT_EQ(table.Numbers("kkt_error")[0], 2e-7);
   EXPECT_EQ(table.Numbers("wall_ms")[0], 2.5);
   EXPECT_EQ(ReadSummary(folder_).at("solve_time_ms").at("count"), 1);
+  EXPECT_EQ(ReadSummary(folder_).at("whole_body_time_ms").at("count"), 2);
+  EXPECT_EQ(ReadSummary(folder_).at("whole_body_time_ms").at("mean"), 0.125);
 }
 
 TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
@@ -111,6 +123,7 @@ TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
   contact.adjusted_p_WF = {1.5, 2.5, 3.5};
   contact.box_lower_m = {-0.1, -0.2, 0.0};
   contact.box_upper_m = {0.3, 0.4, 0.0};
+  contact.R_WF = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
   outcome.footsteps = {{1, contact, Eigen::Vector3d(7.0, 8.0, 9.0), 0.01}, {0, contact, {}, 0.0}};
   recorder.Finish(outcome, 0.004, 0.1);
 
@@ -124,6 +137,7 @@ TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
   EXPECT_EQ(steps[0].realised_p_WF, Eigen::Vector3d(7.0, 8.0, 9.0));
   EXPECT_EQ(steps[0].slip_m, 0.01);
   EXPECT_EQ(steps[0].box_upper_m, Eigen::Vector2d(0.3, 0.4));
+  EXPECT_NEAR(steps[0].yaw_rad, 0.3, 1e-15);
   EXPECT_FALSE(steps[1].realised_p_WF.has_value());
 }
 
@@ -133,7 +147,7 @@ TEST_F(RecorderTest, SlidingJointsAreInNewtonsAndMetres) {
   Recorder recorder(scenario, world, folder_, {});
   ControlTick control = BusyControl(0);
   control.command.torque_Nm = Eigen::Vector3d(1.0, 2.0, 3.0);
-  recorder.Add(0, world.truth(), control, 1.0, 0.0);
+  recorder.Add(0, world.truth(), control, {1.0, 0.0, 0.125});
   recorder.Finish({}, 0.002, 0.1);
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   EXPECT_EQ(table.Numbers("command_hip_pitch_Nm")[0], 2.0);
@@ -142,11 +156,48 @@ TEST_F(RecorderTest, SlidingJointsAreInNewtonsAndMetres) {
   EXPECT_TRUE(table.has("joint_hip_roll_rad"));
 }
 
+TEST_F(RecorderTest, PushHasItsMomentAboutTheCom) {
+  const Scenario scenario = TwoFeetScenario();
+  ScriptedWorld world(scenario);
+  world.written.p_WC = {0.0, 0.0, 0.5};
+  world.written.pushes[0] = {{0.0, 10.0, 0.0}, {0.0, 0.0, 0.9}};
+  world.written.pushes[1] = {{0.0, 0.0, 5.0}, {0.0, 0.2, 0.5}};
+  Recorder recorder(scenario, world, folder_, {});
+  recorder.Add(0, world.truth(), ControlTick{}, {});
+  recorder.Finish({}, 0.002, 0.1);
+  // By hand: (0, 0, 0.4) x (0, 10, 0) + (0, 0.2, 0) x (0, 0, 5).
+  const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
+  EXPECT_NEAR(table.Numbers("push_torque_C_W_x_Nm")[0], -4.0 + 1.0, 1e-12);
+}
+
+TEST_F(RecorderTest, PositionControlTellsReferencesAndTheMotorsTorques) {
+  Scenario scenario = TwoFeetScenario();
+  scenario.control.mode = ControlMode::kPosition;
+  ScriptedWorld world(scenario, {{"hip"}, {"leg", true}});
+  world.written.joint_torque_Nm = Eigen::Vector2d(5.5, 6.5);
+  Recorder recorder(scenario, world, folder_, {});
+  ControlTick control = BusyControl(0);
+  control.command.joint_position = Eigen::Vector2d(0.1, 0.2);
+  control.command.joint_velocity = Eigen::Vector2d(0.3, 0.4);
+  recorder.Add(0, world.truth(), control, {});
+  recorder.Add(2, world.truth(), ControlTick{}, {});
+  recorder.Finish({}, 0.002, 0.1);
+  const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
+  EXPECT_EQ(table.Numbers("command_hip_rad")[0], 0.1);
+  EXPECT_EQ(table.Numbers("command_hip_radps")[0], 0.3);
+  EXPECT_EQ(table.Numbers("command_leg_m")[0], 0.2);
+  EXPECT_EQ(table.Numbers("command_leg_mps")[0], 0.4);
+  EXPECT_EQ(table.Text(1, "command_hip_rad"), "") << "it commanded nothing";
+  EXPECT_FALSE(table.has("command_hip_Nm"));
+  EXPECT_EQ(table.Numbers("joint_hip_Nm")[0], 5.5);
+  EXPECT_EQ(table.Numbers("joint_leg_N")[0], 6.5);
+}
+
 TEST_F(RecorderTest, WhatTheControllerDoesNotSayIsAnEmptyCell) {
   const Scenario scenario = TwoFeetScenario();
   const ScriptedWorld world(scenario);
   Recorder recorder(scenario, world, folder_, {});
-  recorder.Add(0, world.truth(), ControlTick{}, 1.0, 0.0);
+  recorder.Add(0, world.truth(), ControlTick{}, {1.0, 0.0, 0.125});
   recorder.Finish({}, 0.002, 0.1);
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   ASSERT_EQ(table.num_rows(), 1u);

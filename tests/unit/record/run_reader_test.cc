@@ -114,11 +114,12 @@ TEST(RunReaderTest, FootstepsKeepTheirOrderAndAnUnlandedOneHasNoPlace) {
   const auto dir = FreshTestDir("footsteps");
   WriteSyntheticRun(dir, {.duration_s = 1.0});
   std::ofstream(dir / "footsteps.csv", std::ios::app)
-      << "left,1,1.0,1.5,0.1,0.08,0,0.1,0.09,0,,,,0,-0.05,-0.03,0.05,0.07\n";
+      << "left,1,1.0,1.5,0.1,0.08,0,0.1,0.09,0,,,,0,-0.05,-0.03,0.05,0.07,0.2\n";
   const std::vector<Footstep> steps = ReadFootsteps(dir);
   ASSERT_EQ(steps.size(), 4U);
   EXPECT_EQ(steps[2].foot, "right");
   EXPECT_EQ(steps[2].index, 1);
+  EXPECT_EQ(steps[2].yaw_rad, 0.3);
   EXPECT_TRUE(steps[2].adjusted_p_WF.isApprox(Eigen::Vector3d(0.12, -0.03, 0)));
   ASSERT_TRUE(steps[2].realised_p_WF.has_value());
   EXPECT_FALSE(steps[3].realised_p_WF.has_value());

@@ -62,13 +62,14 @@ TEST(SummaryTest, PushesTellImpulseAndImpulseOverMass) {
 TEST(SummaryTest, PercentilesAreSamplesAndMissesExceedTheDeadline) {
   std::vector<double> solve_ms;
   for (int i = 200; i >= 1; --i) solve_ms.push_back(i);
-  const SolveTimes times = SummariseSolveTimes(solve_ms, 150.0);
+  const StageTimes times = Summarise(solve_ms, 150.0);
+  EXPECT_DOUBLE_EQ(times.mean_ms, 100.5);
   EXPECT_EQ(times.p50_ms, 100.0);
   EXPECT_EQ(times.p99_ms, 198.0);
   EXPECT_EQ(times.max_ms, 200.0);
   EXPECT_EQ(times.misses, 50);
   EXPECT_EQ(times.count, 200);
-  EXPECT_EQ(SummariseSolveTimes({7.0}, 10.0).p99_ms, 7.0);
+  EXPECT_EQ(Summarise({7.0}, 10.0).p99_ms, 7.0);
 }
 
 TEST(SummaryTest, RunWithoutASolveHasNoTimes) {
@@ -78,8 +79,35 @@ TEST(SummaryTest, RunWithoutASolveHasNoTimes) {
   EXPECT_EQ(times.at("deadline"), 100.0) << "10 solves a second by default";
 }
 
+TEST(SummaryTest, WholeBodyTimesStandBesideTheMpcs) {
+  RunFacts facts;
+  facts.solve_ms = {30.0, 50.0};
+  facts.whole_body_ms = {1.0, 2.0, 6.0};
+  const nlohmann::json summary = Summary({}, facts);
+  EXPECT_EQ(summary.at("solve_time_ms").at("mean"), 40.0);
+  const nlohmann::json times = summary.at("whole_body_time_ms");
+  EXPECT_EQ(times.at("mean"), 3.0);
+  EXPECT_EQ(times.at("p50"), 2.0);
+  EXPECT_EQ(times.at("p99"), 6.0);
+  EXPECT_EQ(times.at("max"), 6.0);
+  EXPECT_EQ(times.at("deadline"), 2.0) << "500 control ticks a second";
+  EXPECT_EQ(times.at("misses"), 1);
+}
+
+TEST(SummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
+  RunOutcome outcome;
+  JointInfo knee{"knee"};
+  knee.torque_limit_Nm = 40.0;
+  outcome.joints = {{knee, 12.5}, {{"leg", true}, 60.0}};
+  const nlohmann::json joints = Summary(outcome).at("joints");
+  EXPECT_EQ(joints.at("knee"),
+            nlohmann::json::parse(R"({"peak_torque_Nm": 12.5, "limit_Nm": 40.0})"));
+  EXPECT_EQ(joints.at("leg"), nlohmann::json::parse(R"({"peak_force_N": 60.0, "limit_N": null})"));
+  EXPECT_EQ(Summary({}).at("joints"), nlohmann::json::object());
+}
+
 TEST(SummaryTest, TellsHowTheRunWasMade) {
-  const nlohmann::json summary = Summary({}, {{"sidestep", "run", "a\xff.yaml"}, {}, 3.0, 1.5});
+  const nlohmann::json summary = Summary({}, {{"sidestep", "run", "a\xff.yaml"}, {}, {}, 3.0, 1.5});
   EXPECT_EQ(summary.at("command")[1], "run");
   EXPECT_EQ(summary.at("real_time_factor"), 2.0);
   EXPECT_EQ(summary.at("seed"), 1);

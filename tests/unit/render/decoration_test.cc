@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "sim/render/foothold_marks.h"
 
@@ -157,6 +158,26 @@ TEST_F(FootholdMarksTest, OnlyTheLastTwoSecondsAndThePresentAreShown) {
 TEST_F(FootholdMarksTest, TheFootholdAFootStandsOnIsMarkedOnce) {
   row_.feet = {Foot({0.2, 0.1, 0.0}, {0.2, 0.1, 0.0})};
   EXPECT_EQ(Plates(Marks({Step(4.2, 6.0, {0.2, 0.1, 0.0})})).size(), 1U);
+}
+
+TEST_F(FootholdMarksTest, SolesHaveTheYawOfTheirContact) {
+  Footstep past = Step(2.9, 4.0, {0.1, 0.1, 0.0});
+  Footstep coming = Step(5.2, 6.0, {0.3, 0.1, 0.0});
+  past.yaw_rad = 0.2;
+  coming.yaw_rad = 0.5 * std::numbers::pi;
+  const std::vector<Decoration> marks = Marks({past, coming});
+  const auto plates = Plates(marks);
+  ASSERT_EQ(plates.size(), 2U);
+  EXPECT_EQ(plates[0].yaw_rad, 0.2);
+  EXPECT_EQ(plates[1].yaw_rad, coming.yaw_rad);
+  // The sole's middle, 25 mm ahead of F, is now to its left.
+  EXPECT_TRUE(plates[1].from.isApprox(Eigen::Vector3d(0.34, 0.145, -0.02)));
+  double reach_m = 0.0;
+  for (const Decoration& mark : marks) {
+    if (mark.shape != Shape::kSlab || mark.yaw_rad != coming.yaw_rad) continue;
+    reach_m = std::max(reach_m, mark.from.y() - 0.1);
+  }
+  EXPECT_NEAR(reach_m, 0.10, 1e-12) << "the outline's front bar";
 }
 
 TEST_F(FootholdMarksTest, TheOutlineEnclosesTheSole) {
