@@ -66,7 +66,7 @@ std::string FeetScript(const PlotData& data) {
                                  Style(FootColor(i), "linewidth 1.1 dashtype (5,3)"), "");
   }
   for (const bool is_x : {true, false}) {
-    script += std::string("\nset ylabel 'CoP, ") + (is_x ? "x" : "y") + " from F (m)'\n";
+    script += std::string("\nset ylabel 'CoP, ") + (is_x ? "x" : "y") + " from F (m)' offset 1\n";
     if (!is_x) script += "set xlabel 'time (s)'\n";
     script += "plot 0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle";
     for (std::size_t i = 0; i < data.feet.size(); ++i) {
