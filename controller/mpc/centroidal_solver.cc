@@ -2,12 +2,14 @@
 #include "controller/mpc/centroidal_solver.h"
 
 #include "controller/mpc/ipopt_solver.h"
+#include "controller/mpc/structured/structured_solver.h"
 #include "models/support/require.h"
 
 namespace sidestep::mpc {
 
 std::unique_ptr<CentroidalSolver> MakeSolver(const std::string& name,
                                              const SolverOptions& options) {
+  if (name == "structured") return MakeStructuredSolver(options);
   SIDESTEP_REQUIRE(name == "ipopt", name);
   return MakeIpoptSolver(options);
 }

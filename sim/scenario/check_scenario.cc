@@ -53,7 +53,7 @@ void CheckRates(const Scenario& scenario, const ConfigTree& root) {
 }
 
 void CheckMpc(const MpcParams& mpc, const ConfigTree& root) {
-  static const std::array<std::string, 1> kBackends{"ipopt"};
+  static const std::array<std::string, 2> kBackends{"ipopt", "structured"};
   if (std::find(kBackends.begin(), kBackends.end(), mpc.backend) == kBackends.end()) {
     FailAtPath(root, "control.mpc.backend",
                "= '" + mpc.backend + "' is not known; " +

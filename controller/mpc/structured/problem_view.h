@@ -32,6 +32,13 @@ struct AliveLocation {
   int row_before{0};  ///< The same in stage k - 1's, if alive there.
 };
 
+/// Neighbouring kept rows of stage k + 1 (not its state) and the rows of stage k that they are.
+struct Carry {
+  int from{0};  ///< Counted from stage k + 1's first kept row.
+  int to{0};
+  int count{0};
+};
+
 /// What the linear algebra of one stage needs to know. Rows of its matrix: pivots [u, locations
 /// that start here, padding], kept [x, 1, locations that started before, padding], forces of
 /// stage k - 1 that continue.
@@ -39,14 +46,15 @@ struct Stage {
   int first_block{0}, num_blocks{0};
   int first_slot{0}, num_slots{0};
   int first_alive{0}, num_new{0}, num_alive{0};
-  int num_pivots{0};  ///< Multiple of four.
-  int num_active{0};  ///< Rows that the dynamics touch; multiple of four.
-  int num_rows{0};    ///< Multiple of four.
-  int num_kept{0};    ///< Slots that continue from stage k - 1.
-  double* panel{nullptr};         ///< num_rows x num_pivots: the factor.
-  double* inverse_pivot{nullptr};  ///< num_pivots.
-  double* dynamics{nullptr};      ///< num_active x 9: transposed Jacobian of the next state.
-  int* first_pivot{nullptr};      ///< One each four rows: first pivot with a non-zero entry.
+  int first_carry{0}, num_carries{0};  ///< From stage k + 1.
+  int num_pivots{0};                   ///< Multiple of four.
+  int num_active{0};                   ///< Rows that the dynamics touch; multiple of four.
+  int num_rows{0};                     ///< Multiple of four.
+  int num_kept{0};                     ///< Slots that continue from stage k - 1.
+  double* panel{nullptr};              ///< num_rows x num_pivots: the factor.
+  double* inverse_pivot{nullptr};      ///< num_pivots.
+  double* dynamics{nullptr};           ///< num_active x 9: transposed Jacobian of the next state.
+  int* first_pivot{nullptr};           ///< One each four rows: first pivot with a non-zero entry.
 };
 
 /// Where the parts of a point are in one flat array.
@@ -62,21 +70,22 @@ struct ProblemView {
   int num_faces{0};  ///< Rows of the friction description.
   double step_s{0.0};
   double weight_com[3]{}, weight_momentum[3]{}, weight_symmetry[3]{}, weight_rate[3]{},
-      weight_new[3]{};                  ///< weight_rate is divided by step_s^2.
-  const double* reference{nullptr};     ///< 9 x (N+1), v unused.
-  const double* drift{nullptr};         ///< 6 x N: acceleration and torque / m without contacts.
-  const double* anchor{nullptr};        ///< 3 x slots: vertices in W if d = 0, stage by stage.
-  const double* face{nullptr};          ///< 3 faces x slots: rows in W, stage by stage.
-  const double* bound{nullptr};         ///< faces.
-  const double* previous_u{nullptr};    ///< 3 x slots of stage 0.
-  const double* rotation{nullptr};      ///< 9 a location, row-major R_WF.
+      weight_new[3]{};                ///< weight_rate is divided by step_s^2.
+  const double* reference{nullptr};   ///< 9 x (N+1), v unused.
+  const double* drift{nullptr};       ///< 6 x N: acceleration and torque / m without contacts.
+  const double* anchor{nullptr};      ///< 3 x slots: vertices in W if d = 0, stage by stage.
+  const double* face{nullptr};        ///< 3 faces x slots: rows in W, stage by stage.
+  const double* bound{nullptr};       ///< faces.
+  const double* previous_u{nullptr};  ///< 3 x slots of stage 0.
+  const double* rotation{nullptr};    ///< 9 a location, row-major R_WF.
   const double* location_hessian{nullptr};  ///< 9 a location, in F.
-  const double* box_lower{nullptr};     ///< 3 a location.
-  const double* box_upper{nullptr};     ///< 3 a location.
-  const double* is_free{nullptr};       ///< 3 a location: 1, or 0 where the box has no size.
-  Stage* stages{nullptr};               ///< N + 1.
+  const double* box_lower{nullptr};         ///< 3 a location.
+  const double* box_upper{nullptr};         ///< 3 a location.
+  const double* is_free{nullptr};           ///< 3 a location: 1, or 0 where the box has no size.
+  Stage* stages{nullptr};                   ///< N + 1.
   const ContactBlock* blocks{nullptr};
   const AliveLocation* alive{nullptr};
+  const Carry* carries{nullptr};
   PointLayout at;
 };
 

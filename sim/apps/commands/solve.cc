@@ -94,7 +94,7 @@ void AddSolveCommand(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("PROBLEM", arguments->problem, "Problem file (JSON)")->required();
   command->add_option("--backend", arguments->backend, "Solver")
-      ->check(CLI::IsMember({"ipopt"}))
+      ->check(CLI::IsMember({"ipopt", "structured"}))
       ->capture_default_str();
   command->add_option("--repeat", arguments->repeat, "Cold solves, for the times")
       ->check(CLI::Range(1, 1000000))

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One stage's matrix. With the next state x' = G [rows], its cost-to-go V splits into the state's
+// block, what is carried over unchanged, and the coupling Y of both:
+//
+//   M = carried + G^T V_xx G + G^T Y^T + Y G + own curvature.
+#include "controller/mpc/structured/core_math.h"
+#include "controller/mpc/structured/stage_matrix.h"
+
+namespace sidestep::mpc::structured::SIDESTEP_ISA {
+namespace {
+
+/// The stage's matrix, whose lower triangle is kept in two pieces.
+struct StageMatrix {
+  const Stage& stage;
+  double* tail;
+  int kept;
+
+  /// Start of column `column`, such that [row] is the entry of that row.
+  double* Column(int column) const {
+    return column < stage.num_pivots ? stage.panel + column * stage.num_rows
+                                     : tail + (column - stage.num_pivots) * kept - stage.num_pivots;
+  }
+  void Add(int row, int column, double value) const {
+    if (row >= column) {
+      Column(column)[row] += value;
+    } else {
+      Column(row)[column] += value;
+    }
+  }
+};
+
+// Transposed Jacobian of the next state: rows of the stage x 9, and the gap in the constant's row.
+void BuildDynamics(const ProblemView& problem, int k, const Evaluation& at,
+                   const Linearization& linear) {
+  const Stage& stage = problem.stages[k];
+  const double step_s = problem.step_s;
+  const int rows = stage.num_active, n = stage.num_slots, x = stage.num_pivots;
+  double* G = stage.dynamics;
+  Fill(G, 9 * rows, 0.0);
+  const double* arm = linear.arm + 3 * stage.first_slot;
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    double* force = G + (3 + a) * rows + a * n;
+    // Moment c of a unit force along a is the arm's b component with sign -, and so on.
+    double* moment_b = G + (6 + b) * rows + a * n;
+    double* moment_c = G + (6 + c) * rows + a * n;
+    for (int j = 0; j < n; ++j) {
+      force[j] = step_s;
+      moment_b[j] = step_s * arm[c * n + j];
+      moment_c[j] = -step_s * arm[b * n + j];
+    }
+    G[a * rows + x + a] = 1.0;
+    G[a * rows + x + 3 + a] = step_s;
+    G[(3 + a) * rows + x + 3 + a] = 1.0;
+    G[(6 + a) * rows + x + 6 + a] = 1.0;
+    for (int d = 0; d < 3; ++d) {
+      G[(6 + a) * rows + x + d] = step_s * SkewEntry(linear.force + 3 * k, a, d);
+    }
+  }
+  for (int i = 0; i < 9; ++i) G[i * rows + x + kOneRow] = at.gap[9 * k + i];
+  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
+    const ContactBlock& block = problem.blocks[b];
+    if (block.location < 0) continue;
+    const double* R = problem.rotation + 9 * block.location;
+    const double* is_free = problem.is_free + 3 * block.location;
+    const int row = problem.alive[block.alive].row;
+    for (int d = 0; d < 3; ++d) {  // (R e_d) x force.
+      const double axis[3] = {R[d], R[3 + d], R[6 + d]};
+      double turn[3];
+      Cross(axis, linear.block_force + 3 * b, turn);
+      for (int a = 0; a < 3; ++a) G[(6 + a) * rows + row + d] = is_free[d] * step_s * turn[a];
+    }
+  }
+}
+
+// Coupling of the next state with what is carried over.
+void BuildCoupling(const ProblemView& problem, const Stage& stage, const double* next, int stride,
+                   double* coupling) {
+  const int rows = stage.num_active;
+  Fill(coupling, 9 * rows, 0.0);
+  for (int i = stage.first_carry; i < stage.first_carry + stage.num_carries; ++i) {
+    const Carry& carry = problem.carries[i];
+    for (int a = 0; a < 9; ++a) {
+      const double* from = next + a * stride + carry.from;
+      double* to = coupling + a * rows + carry.to;
+      for (int r = 0; r < carry.count; ++r) to[r] = from[r];
+    }
+  }
+}
+
+// product = coupling + G^T V_xx.
+void BuildProduct(const Stage& stage, const double* next, int stride, const double* coupling,
+                  double* product) {
+  const int rows = stage.num_active;
+  for (int a = 0; a < 9; ++a) {
+    double* out = product + a * rows;
+    for (int i = 0; i < rows; ++i) out[i] = coupling[a * rows + i];
+    for (int b = 0; b < 9; ++b) {
+      const double value = a >= b ? next[b * stride + a] : next[a * stride + b];
+      const double* G = stage.dynamics + b * rows;
+      const int first = b < 3 ? stage.num_pivots : 0;  // Forces do not move p at once.
+      for (int i = first; i < rows; ++i) out[i] += value * G[i];
+    }
+  }
+}
+
+void AddCongruence(const StageMatrix& matrix, const double* coupling, const double* product) {
+  const Stage& stage = matrix.stage;
+  const int rows = stage.num_active;
+  for (int j = 0; j < rows; ++j) {
+    double* column = matrix.Column(j);
+    for (int a = 0; a < 9; ++a) {
+      const double slope = stage.dynamics[a * rows + j];
+      const double carried = coupling[a * rows + j];
+      const double* Q = product + a * rows;
+      const double* G = stage.dynamics + a * rows;
+      if (slope != 0.0) {
+        for (int i = j; i < rows; ++i) column[i] += slope * Q[i];
+      }
+      if (carried != 0.0) {
+        for (int i = j; i < rows; ++i) column[i] += carried * G[i];
+      }
+    }
+  }
+}
+
+void AddCarried(const ProblemView& problem, const StageMatrix& matrix, const double* next,
+                int stride) {
+  const Carry* carries = problem.carries + matrix.stage.first_carry;
+  for (int i = 0; i < matrix.stage.num_carries; ++i) {
+    for (int j = 0; j < matrix.stage.num_carries; ++j) {
+      const Carry& low = carries[i];
+      const Carry& high = carries[j];
+      if (low.from < high.from) continue;
+      for (int c = 0; c < high.count; ++c) {
+        const double* from = next + (high.from + c) * stride + low.from;
+        const int first = i == j ? c : 0;
+        if (low.to >= high.to) {
+          double* to = matrix.Column(high.to + c) + low.to;
+          for (int r = first; r < low.count; ++r) to[r] += from[r];
+        } else {
+          for (int r = first; r < low.count; ++r) matrix.Column(low.to + r)[high.to + c] += from[r];
+        }
+      }
+    }
+  }
+}
+
+// Curvature and slope of the stage's forces.
+void AddForces(const ProblemView& problem, int k, const NewtonTerms& terms,
+               const StageMatrix& matrix) {
+  const Stage& stage = matrix.stage;
+  const int n = stage.num_slots, one = stage.num_pivots + kOneRow;
+  const double* curvature = terms.curvature + 6 * stage.first_slot;
+  const double* slope = terms.slope + problem.at.u + 3 * stage.first_slot;
+  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
+    const ContactBlock& block = problem.blocks[b];
+    const int num_rates =
+        (block.previous >= 0 || block.has_previous_force ? 1 : 0) + (block.next >= 0 ? 1 : 0);
+    for (int a = 0; a < 3; ++a) {
+      const double own = num_rates * problem.weight_rate[a] + problem.weight_symmetry[a] +
+                         (block.is_new ? problem.weight_new[a] : 0.0) + terms.shift;
+      const double share = problem.weight_symmetry[a] / block.count;
+      for (int j = block.first; j < block.first + block.count; ++j) {
+        double* column = matrix.Column(a * n + j);
+        for (int i = j; i < block.first + block.count; ++i) column[a * n + i] -= share;
+        column[a * n + j] += own + curvature[a * n + j];
+        column[one] += slope[a * n + j];
+      }
+    }
+    for (int j = block.first; j < block.first + block.count; ++j) {
+      matrix.Column(j)[n + j] += curvature[3 * n + j];
+      matrix.Column(j)[2 * n + j] += curvature[4 * n + j];
+      matrix.Column(n + j)[2 * n + j] += curvature[5 * n + j];
+    }
+  }
+  (void)k;
+}
+
+// Second derivatives of costate . (p_F - p) x u.
+void AddDynamicsCurvature(const ProblemView& problem, int k, const Linearization& linear,
+                          const StageMatrix& matrix) {
+  const Stage& stage = matrix.stage;
+  const int n = stage.num_slots, x = stage.num_pivots;
+  double pull[3];
+  for (int a = 0; a < 3; ++a) pull[a] = problem.step_s * linear.costate[9 * (k + 1) + 6 + a];
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      const double value = SkewEntry(pull, b, a);
+      for (int j = 0; j < n; ++j) matrix.Column(a * n + j)[x + b] += value;
+    }
+  }
+  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
+    const ContactBlock& block = problem.blocks[b];
+    if (block.location < 0) continue;
+    const double* R = problem.rotation + 9 * block.location;
+    const int row = problem.alive[block.alive].row;
+    for (int d = 0; d < 3; ++d) {
+      if (problem.is_free[3 * block.location + d] == 0.0) continue;
+      const double axis[3] = {R[d], R[3 + d], R[6 + d]};
+      double turn[3];
+      Cross(pull, axis, turn);  // d/du of pull . (axis x u).
+      for (int a = 0; a < 3; ++a) {
+        for (int j = block.first; j < block.first + block.count; ++j) {
+          matrix.Column(a * n + j)[row + d] += turn[a];
+        }
+      }
+    }
+  }
+}
+
+void AddLocations(const ProblemView& problem, const NewtonTerms& terms, const StageMatrix& matrix) {
+  const Stage& stage = matrix.stage;
+  const int one = stage.num_pivots + kOneRow;
+  for (int i = stage.first_alive; i < stage.first_alive + stage.num_new; ++i) {
+    const AliveLocation& alive = problem.alive[i];
+    const double* hessian = problem.location_hessian + 9 * alive.location;
+    for (int a = 0; a < 3; ++a) {
+      const int entry = 3 * alive.location + a;
+      double* column = matrix.Column(alive.row + a);
+      if (problem.is_free[entry] == 0.0) {
+        column[alive.row + a] += 1.0;
+        continue;
+      }
+      column[alive.row + a] += terms.box_curvature[entry] + terms.shift;
+      column[one] += terms.slope[problem.at.d + entry];
+      for (int b = a; b < 3; ++b) {
+        column[alive.row + b] += problem.is_free[3 * alive.location + b] * hessian[3 * a + b];
+      }
+    }
+  }
+}
+
+void AddStates(const ProblemView& problem, int k, const NewtonTerms& terms,
+               const StageMatrix& matrix) {
+  const int x = matrix.stage.num_pivots;
+  for (int i = 0; i < 9; ++i) {
+    double* column = matrix.Column(x + i);
+    if (i < 3) column[x + i] += problem.weight_com[i];
+    if (i >= 6) column[x + i] += problem.weight_momentum[i - 6];
+    column[x + kOneRow] += terms.slope[9 * k + i];
+  }
+}
+
+void CoupleToPreviousForces(const ProblemView& problem, const StageMatrix& matrix) {
+  const Stage& stage = matrix.stage;
+  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
+    const ContactBlock& block = problem.blocks[b];
+    if (block.previous < 0) continue;
+    for (int a = 0; a < 3; ++a) {
+      for (int j = 0; j < block.count; ++j) {
+        const int row = stage.num_active + a * stage.num_kept + block.kept + j;
+        matrix.Column(a * stage.num_slots + block.first + j)[row] = -problem.weight_rate[a];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void AssembleStage(const ProblemView& problem, int k, const Evaluation& at,
+                   const Linearization& linear, const NewtonTerms& terms, const double* next,
+                   double* tail) {
+  const Stage& stage = problem.stages[k];
+  const StageMatrix matrix{stage, tail, stage.num_rows - stage.num_pivots};
+  Fill(stage.panel, stage.num_rows * stage.num_pivots, 0.0);
+  Fill(tail, matrix.kept * matrix.kept, 0.0);
+  for (int i = 3 * (stage.num_slots + stage.num_new); i < stage.num_pivots; ++i) {
+    matrix.Column(i)[i] = 1.0;
+  }
+  if (k < problem.knots) {
+    const Stage& after = problem.stages[k + 1];
+    const int stride = after.num_rows - after.num_pivots;
+    BuildDynamics(problem, k, at, linear);
+    BuildCoupling(problem, stage, next, stride, terms.value);
+    BuildProduct(stage, next, stride, terms.value, terms.product);
+    AddCongruence(matrix, terms.value, terms.product);
+    AddCarried(problem, matrix, next, stride);
+    AddForces(problem, k, terms, matrix);
+    if (terms.is_exact) AddDynamicsCurvature(problem, k, linear, matrix);
+    CoupleToPreviousForces(problem, matrix);
+  }
+  AddLocations(problem, terms, matrix);
+  AddStates(problem, k, terms, matrix);
+}
+
+}  // namespace sidestep::mpc::structured::SIDESTEP_ISA

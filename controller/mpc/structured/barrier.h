@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// barrier: slacks of the friction rows, distances to the boxes, and their multipliers.
+
+#include "controller/mpc/structured/evaluate.h"
+#include "controller/mpc/structured/isa.h"
+#include "controller/mpc/structured/problem_view.h"
+#include "controller/mpc/structured/riccati.h"
+
+namespace sidestep::mpc::structured {
+
+/// How far a direction may be followed.
+struct StepLimits {
+  double primal{1.0};
+  double dual{1.0};
+};
+
+namespace SIDESTEP_ISA {
+
+/// Moves the point inside its bounds by at least `push` (less in thin boxes), pinned coordinates
+/// to the middle of their box, and sets the multipliers to barrier / distance.
+void StartInside(const ProblemView& problem, double push, double barrier, double* point);
+
+/// Fills curvature and slope of the barrier problem.
+void BuildTerms(const ProblemView& problem, const double* point, const Evaluation& at,
+                const Linearization& linear, double barrier, NewtonTerms* terms);
+
+/// The slacks' and multipliers' part of the direction.
+void CompleteDirection(const ProblemView& problem, const double* point, const Evaluation& at,
+                       double barrier, double* direction);
+
+/// Longest steps that leave the share 1 - `fraction` of every distance and multiplier.
+StepLimits LimitSteps(const ProblemView& problem, const double* point, const double* direction,
+                      double fraction);
+
+/// Slope of cost - barrier * logs along the direction.
+double BarrierSlope(const ProblemView& problem, const double* point, const double* direction,
+                    const double* gradient, double barrier);
+
+/// trial = point + primal * direction in x, u, d, s and dual * direction in the multipliers.
+void TakeStep(const ProblemView& problem, const double* point, const double* direction,
+              const StepLimits& step, double* trial);
+
+/// Keeps multipliers within 1e10 of barrier / distance.
+void SafeguardMultipliers(const ProblemView& problem, double barrier, double* point);
+
+}  // namespace SIDESTEP_ISA
+}  // namespace sidestep::mpc::structured

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/mpc/structured/interior_point.h"
+
+#include "controller/mpc/structured/core_math.h"
+#include "controller/mpc/structured/filter.h"
+
+namespace sidestep::mpc::structured::SIDESTEP_ISA {
+namespace {
+
+constexpr double kAcceptable = 1e-6;  // As Ipopt's acceptable_tol.
+
+class Minimizer {
+ public:
+  Minimizer(const ProblemView& problem, const Settings& settings, Workspace* workspace)
+      : problem_(problem), settings_(settings), work_(*workspace) {}
+
+  Summary Run();
+
+ private:
+  double KktError(double barrier) const;
+  void LowerBarrier();
+  bool FindDirection();
+  bool SearchLine();
+  bool Recover();
+  bool IsAcceptable(double step, double slope, double infeasibility, double value);
+  void ResetFilter();
+  void Accept(const StepLimits& step);
+  double Value(const Evaluation& at) const { return at.cost - barrier_ * at.log_sum; }
+
+  const ProblemView& problem_;
+  const Settings& settings_;
+  Workspace& work_;
+  Filter filter_;
+  double barrier_{0.0};
+  double shift_{0.0};
+  double last_shift_{0.0};
+  double fraction_{0.99};
+  double first_infeasibility_{1.0};
+  double alpha_{0.0}, alpha_dual_{0.0};
+  int num_recoveries_{0};
+};
+
+double Minimizer::KktError(double barrier) const {
+  const Linearization& at = work_.linear;
+  int num_box = 0;
+  for (int i = 0; i < 3 * problem_.num_locations; ++i)
+    num_box += problem_.is_free[i] != 0.0 ? 2 : 0;
+  const int num_faces = problem_.num_faces * problem_.num_slots;
+  const int num_bounds = num_faces + num_box;
+  const double count = 9.0 * problem_.knots + num_faces + num_bounds;
+  const double dual_scale = Max(100.0, at.multiplier_sum / count) / 100.0;
+  const double product_scale =
+      num_bounds == 0 ? 1.0 : Max(100.0, at.bound_sum / num_bounds) / 100.0;
+  const double product =
+      num_bounds == 0 ? 0.0
+                      : Max(Abs(at.largest_product - barrier), Abs(at.smallest_product - barrier));
+  return Max(Max(at.dual / dual_scale, work_.now.largest_residual), product / product_scale);
+}
+
+void Minimizer::ResetFilter() { filter_.Reset(1e4 * Max(1.0, first_infeasibility_)); }
+
+void Minimizer::LowerBarrier() {
+  while (KktError(barrier_) <= 10.0 * barrier_ && barrier_ > settings_.tolerance / 10.0) {
+    barrier_ = Max(settings_.tolerance / 10.0, Min(0.2 * barrier_, __builtin_pow(barrier_, 1.5)));
+    fraction_ = Max(0.99, 1.0 - barrier_);
+    ResetFilter();
+  }
+}
+
+bool Minimizer::FindDirection() {
+  BuildTerms(problem_, work_.point, work_.now, work_.linear, barrier_, &work_.newton);
+  work_.newton.is_exact = settings_.is_exact;
+  shift_ = 0.0;
+  for (int attempt = 0; attempt < 40; ++attempt) {
+    work_.newton.shift = shift_;
+    if (Factorize(problem_, work_.now, work_.linear, work_.newton)) {
+      if (shift_ > 0.0) last_shift_ = shift_;
+      SolveForward(problem_, work_.newton, work_.direction);
+      CompleteDirection(problem_, work_.point, work_.now, barrier_, work_.direction);
+      return true;
+    }
+    if (shift_ == 0.0) {
+      shift_ = last_shift_ == 0.0 ? 1e-2 : Max(1e-8, last_shift_ / 3.0);
+    } else {
+      shift_ *= last_shift_ == 0.0 ? 100.0 : 8.0;
+    }
+  }
+  return false;
+}
+
+bool Minimizer::IsAcceptable(double step, double slope, double infeasibility, double value) {
+  const double now = Value(work_.now);
+  const double now_infeasibility = work_.now.infeasibility;
+  if (!IsFinite(infeasibility) || !IsFinite(value)) return false;
+  if (!filter_.Accepts(infeasibility, value)) return false;
+  const double small = 1e-4 * Max(1.0, first_infeasibility_);
+  const double slack = 1e-14 * Abs(now) * 10.0;  // Rounding.
+  const bool is_descent =
+      slope < 0.0 && step * __builtin_pow(-slope, 2.3) > __builtin_pow(now_infeasibility, 1.1);
+  if (now_infeasibility <= small && is_descent) {
+    return value <= now + 1e-4 * step * slope + slack;
+  }
+  const bool is_better = infeasibility <= (1.0 - 1e-5) * now_infeasibility ||
+                         value - slack <= now - 1e-8 * now_infeasibility;
+  if (is_better) {
+    filter_.Add((1.0 - 1e-5) * now_infeasibility, now - 1e-8 * now_infeasibility);
+  }
+  return is_better;
+}
+
+void Minimizer::Accept(const StepLimits& step) {
+  alpha_ = step.primal;
+  alpha_dual_ = step.dual;
+  double* point = work_.point;
+  work_.point = work_.trial;
+  work_.trial = point;
+  const Evaluation now = work_.now;
+  work_.now = work_.next;
+  work_.next = now;
+  SafeguardMultipliers(problem_, barrier_, work_.point);
+  Linearize(problem_, work_.point, &work_.linear);
+}
+
+bool Minimizer::SearchLine() {
+  StepLimits step = LimitSteps(problem_, work_.point, work_.direction, fraction_);
+  const double slope =
+      BarrierSlope(problem_, work_.point, work_.direction, work_.linear.gradient, barrier_);
+  for (int halvings = 0; halvings < 25; ++halvings) {
+    TakeStep(problem_, work_.point, work_.direction, step, work_.trial);
+    Evaluate(problem_, work_.trial, &work_.next);
+    if (IsAcceptable(step.primal, slope, work_.next.infeasibility, Value(work_.next))) {
+      Accept(step);
+      return true;
+    }
+    step.primal *= 0.5;
+  }
+  return false;
+}
+
+// When no step is accepted: first states that the dynamics follow exactly, which leaves the barrier
+// function alone to judge; then a barrier that keeps the forces further from their limits.
+bool Minimizer::Recover() {
+  if (++num_recoveries_ > 8) return false;
+  if (num_recoveries_ % 2 == 0) barrier_ = Max(0.1, 10.0 * barrier_);
+  RollOut(problem_, 1e-8, work_.point);
+  for (int i = problem_.at.s; i < problem_.at.z; ++i) {
+    work_.point[i + problem_.at.z - problem_.at.s] = barrier_ / work_.point[i];
+  }
+  Evaluate(problem_, work_.point, &work_.now);
+  Linearize(problem_, work_.point, &work_.linear);
+  first_infeasibility_ = Max(1.0, work_.now.infeasibility);
+  ResetFilter();
+  return IsFinite(work_.now.cost) && IsFinite(work_.linear.dual);
+}
+
+Summary Minimizer::Run() {
+  Summary summary;
+  barrier_ = settings_.barrier;
+  fraction_ = Max(0.99, 1.0 - barrier_);
+  StartInside(problem_, settings_.push, barrier_, work_.point);
+  Evaluate(problem_, work_.point, &work_.now);
+  Linearize(problem_, work_.point, &work_.linear);
+  first_infeasibility_ = work_.now.infeasibility;
+  ResetFilter();
+  for (;; ++summary.iterations) {
+    summary.kkt_error = KktError(0.0);
+    summary.cost = work_.now.cost;
+    if (summary.kkt_error <= settings_.tolerance) {
+      summary.outcome = Outcome::kSolved;
+      return summary;
+    }
+    if (summary.iterations == settings_.max_iterations) {
+      summary.outcome = Outcome::kIterationLimit;
+      return summary;
+    }
+    LowerBarrier();
+    if (FindDirection() && SearchLine()) continue;
+    if (summary.kkt_error <= kAcceptable || !Recover()) break;
+  }
+  summary.outcome = summary.kkt_error <= kAcceptable ? Outcome::kAcceptable : Outcome::kStuck;
+  return summary;
+}
+
+}  // namespace
+
+Summary Minimize(const ProblemView& problem, const Settings& settings, Workspace* workspace) {
+  return Minimizer(problem, settings, workspace).Run();
+}
+
+}  // namespace sidestep::mpc::structured::SIDESTEP_ISA

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// interior_point: the primal-dual barrier method on a laid-out problem.
+
+#include "controller/mpc/structured/barrier.h"
+#include "controller/mpc/structured/evaluate.h"
+#include "controller/mpc/structured/isa.h"
+#include "controller/mpc/structured/problem_view.h"
+#include "controller/mpc/structured/riccati.h"
+
+namespace sidestep::mpc::structured {
+
+enum class Outcome { kSolved, kAcceptable, kIterationLimit, kStuck };
+
+struct Settings {
+  double tolerance{1e-8};
+  int max_iterations{200};
+  double barrier{0.1};  ///< To start with.
+  double push{1e-2};    ///< Least distance from a bound at the start.
+  bool is_exact{true};  ///< Second derivatives of the dynamics included.
+};
+
+struct Summary {
+  Outcome outcome{Outcome::kStuck};
+  int iterations{0};
+  double cost{0.0};
+  double kkt_error{0.0};
+};
+
+/// Memory of a solve, sized for the problem by its owner.
+struct Workspace {
+  double* point{nullptr};  ///< In: the start's x, u, d. Out: the solution.
+  double* trial{nullptr};
+  double* direction{nullptr};
+  Evaluation now;
+  Evaluation next;
+  Linearization linear;
+  NewtonTerms newton;
+};
+
+namespace SIDESTEP_ISA {
+
+/// Minimises from workspace->point.
+Summary Minimize(const ProblemView& problem, const Settings& settings, Workspace* workspace);
+
+}  // namespace SIDESTEP_ISA
+}  // namespace sidestep::mpc::structured
