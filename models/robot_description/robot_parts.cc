@@ -56,7 +56,8 @@ FootDescription ReadFoot(const ConfigNode& node, const KnownParts* parts) {
   FootDescription foot;
   foot.name = ReadName(map.Required("name"));
   if (parts != nullptr) {
-    foot.frame = ReadPart(map.Required("frame"), parts->names.sites, "site", parts->model);
+    foot.frame =
+        ReadPart(map.Required("frame"), parts->names.sites, parts->frame_kind, parts->model);
     ReadFootSensors(map, *parts, &foot);
   } else {
     const std::optional<ConfigNode> frame = map.Optional("frame");
@@ -151,15 +152,14 @@ std::vector<FootDescription> ReadFeet(const ConfigNode& node, const KnownParts* 
 
 void ReadModelParts(ConfigMap& map, const KnownParts& parts, RobotDescription* robot) {
   const MjcfNames& names = parts.names;
-  robot->base =
-      ReadPart(map.Required("base"), names.free_bodies, "body with a free joint", parts.model);
+  robot->base = ReadPart(map.Required("base"), names.free_bodies, parts.base_kind, parts.model);
   const ConfigNode imu = map.Required("imu");
-  robot->imu = ReadPart(imu, names.sites, "site", parts.model);
+  robot->imu = ReadPart(imu, names.sites, parts.frame_kind, parts.model);
   for (const char* quantity : {"_orientation", "_gyro", "_accelerometer"}) {
     RequireSensor(imu, parts, robot->imu + quantity);
   }
   if (const auto torso = map.Optional("torso")) {
-    robot->torso = ReadPart(*torso, names.sites, "site", parts.model);
+    robot->torso = ReadPart(*torso, names.sites, parts.frame_kind, parts.model);
   }
   robot->base_height_m = map.Required("base_height_m").Number(0.0, kMaxLength_m);
   if (const auto rpy = map.Optional("base_rpy_rad")) {

@@ -17,8 +17,10 @@ inline constexpr double kMaxMass_kg = 1e4;
 
 /// What the names of a robot.yaml refer to.
 struct KnownParts {
-  std::string model;  ///< "MJCF" or "URDF", for error texts.
-  MjcfNames names;    ///< Of the model, or what a URDF's will be.
+  std::string model;                                ///< "MJCF" or "URDF", for error texts.
+  MjcfNames names;                                  ///< Of the model, or what a URDF's will be.
+  std::string base_kind{"body with a free joint"};  ///< What the model's own language calls it.
+  std::string frame_kind{"site"};
 };
 
 /// Text that must not be empty.

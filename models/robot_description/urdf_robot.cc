@@ -15,6 +15,7 @@ constexpr double kMaxLimit = 1e5;  // Nm and rad/s
 constexpr double kMaxArmature_kgm2 = 1e2;
 constexpr double kMaxWeight = 1e6;
 constexpr char kUrdf[] = "URDF";
+constexpr char kFrame[] = "link without mass";
 
 std::vector<std::string> NamesOfJoints(const UrdfParts& urdf,
                                        const std::vector<std::string>& without) {
@@ -107,15 +108,27 @@ void ReadJoints(ConfigMap& map, const UrdfParts& urdf, RobotDescription* robot,
   }
 }
 
-UrdfDistalPart ReadDistalPart(const ConfigNode& node, const UrdfLinkInfo& link) {
+/// `link` loses the mass of the part, so that the next sensor inside it finds what is left.
+UrdfDistalPart ReadDistalPart(const ConfigNode& node, UrdfLinkInfo& link) {
   ConfigMap map = node.Map();
   UrdfDistalPart part;
-  part.mass.mass_kg = map.Required("mass_kg").Number(0.0, kMaxMass_kg);
+  const ConfigNode mass = map.Required("mass_kg");
+  part.mass.mass_kg = mass.Number(0.0, kMaxMass_kg);
+  if (part.mass.mass_kg <= 0.0) mass.Fail("must be greater than 0");
+  if (part.mass.mass_kg >= link.mass.mass_kg) {
+    mass.Fail("must be less than the " + NumberText(link.mass.mass_kg) + " kg of link '" +
+              link.name + "'");
+  }
   part.mass.com_m = map.Required("com_m").Vector3(-kMaxLength_m, kMaxLength_m);
-  const std::vector<double> inertia = ReadNumbers(map.Required("inertia_kgm2"), 6);
+  const ConfigNode inertia_node = map.Required("inertia_kgm2");
+  const std::vector<double> inertia = ReadNumbers(inertia_node, 6);
   part.mass.inertia_kgm2 << inertia[0], inertia[1], inertia[2], inertia[1], inertia[3], inertia[4],
       inertia[2], inertia[4], inertia[5];
-  if (!IsPhysical(part.mass)) map.Fail("has a mass or inertia that no body has");
+  if (!IsPhysical(part.mass)) inertia_node.Fail("is an inertia that no body has");
+  link.mass = Without(link.mass, part.mass);
+  if (!IsPhysical(link.mass)) {
+    inertia_node.Fail("leaves link '" + link.name + "' an inertia that no body has");
+  }
   if (const auto joints = map.Optional("joints")) {
     part.joints = ReadParts(*joints, link.joints, "joint of link '" + link.name + "'", kUrdf);
   }
@@ -126,11 +139,11 @@ UrdfDistalPart ReadDistalPart(const ConfigNode& node, const UrdfLinkInfo& link) 
   return part;
 }
 
-UrdfForceTorque ReadSensor(const ConfigNode& node, const UrdfParts& urdf,
+UrdfForceTorque ReadSensor(const ConfigNode& node, UrdfParts& urdf,
                            const std::vector<std::string>& frames) {
   ConfigMap map = node.Map();
   UrdfForceTorque sensor;
-  sensor.name = ReadPart(map.Required("name"), frames, "link without mass", kUrdf);
+  sensor.name = ReadPart(map.Required("name"), frames, kFrame, kUrdf);
   const auto frame =
       std::find_if(urdf.frames.begin(), urdf.frames.end(),
                    [&](const UrdfFrameInfo& other) { return other.name == sensor.name; });
@@ -146,8 +159,8 @@ UrdfForceTorque ReadSensor(const ConfigNode& node, const UrdfParts& urdf,
   return sensor;
 }
 
-void ReadSensors(const ConfigNode& node, const UrdfParts& urdf,
-                 const std::vector<std::string>& frames, UrdfConversion* conversion) {
+void ReadSensors(const ConfigNode& node, UrdfParts urdf, const std::vector<std::string>& frames,
+                 UrdfConversion* conversion) {
   for (const ConfigNode& element : node.List()) {
     conversion->force_torque.push_back(ReadSensor(element, urdf, frames));
     const std::string& name = conversion->force_torque.back().name;
@@ -171,7 +184,7 @@ void ReadSelfCollision(const ConfigNode& node, const std::vector<std::string>& l
 /// What the converted model will call its parts.
 KnownParts PartsAfterConversion(const UrdfParts& urdf, const UrdfConversion& conversion,
                                 const std::string& imu) {
-  KnownParts parts{kUrdf, {}};
+  KnownParts parts{kUrdf, {}, "base (first link with mass)", kFrame};
   for (const UrdfLinkInfo& link : urdf.links) parts.names.bodies.push_back(link.name);
   parts.names.free_bodies = {urdf.links.front().name};
   for (const UrdfFrameInfo& frame : urdf.frames) parts.names.sites.push_back(frame.name);

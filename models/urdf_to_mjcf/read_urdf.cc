@@ -26,9 +26,9 @@ class CapturedErrors final : public console_bridge::OutputHandler {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
   }
 
-  /// In one line.
+  /// The first error in one line; urdfdom goes on after some as if all were well.
   std::string first() const {
-    std::string line = first_.empty() ? "is no URDF" : first_;
+    std::string line = first_;
     std::replace(line.begin(), line.end(), '\n', ' ');
     return line;
   }
@@ -226,9 +226,8 @@ UrdfTree ReadUrdf(const std::filesystem::path& urdf,
   }
   const CapturedErrors errors;
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
-  if (!model || !model->getRoot()) {
-    throw ConfigError(urdf.string() + ": error: " + errors.first());
-  }
+  if (!errors.first().empty()) throw ConfigError(urdf.string() + ": error: " + errors.first());
+  if (!model || !model->getRoot()) throw ConfigError(urdf.string() + ": error: is no URDF");
   return TreeReader(urdf.string(), locked_joints).Read(*model);
 }
 

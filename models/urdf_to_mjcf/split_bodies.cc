@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "models/support/config_error.h"
+#include "models/support/require.h"
 
 namespace sidestep {
 namespace {
@@ -20,31 +20,24 @@ bool MoveIf(std::vector<T>* from, std::vector<T>* to, Predicate&& is_moved) {
   return has_moved;
 }
 
-void Split(const std::string& file, const UrdfForceTorque& sensor, Body* body) {
-  const auto fail = [&](const std::string& what) {
-    throw ConfigError(file + ": error: force/torque sensor '" + sensor.name + "': " + what);
-  };
+void Split(const UrdfForceTorque& sensor, Body* body) {
   const UrdfDistalPart& distal = *sensor.distal;
-  if (!(distal.mass.mass_kg < body->mass.mass_kg)) {
-    fail("its distal part weighs no less than the whole link '" + body->name + "'");
-  }
   Body part;
   part.name = sensor.name + "_distal";
   part.mass = distal.mass;
   body->mass = Without(body->mass, part.mass);
-  if (!IsPhysical(part.mass)) fail("its distal part has an inertia that no body has");
-  if (!IsPhysical(body->mass))
-    fail("it leaves link '" + body->name + "' an inertia that no body has");
+  SIDESTEP_REQUIRE(IsPhysical(part.mass), sensor.name);
+  SIDESTEP_REQUIRE(IsPhysical(body->mass), sensor.name);
   for (const std::string& joint : distal.joints) {
     const bool has_moved = MoveIf(&body->children, &part.children, [&](const Body& child) {
       return child.joint && child.joint->name == joint;
     });
-    if (!has_moved) fail("link '" + body->name + "' has no joint '" + joint + "'");
+    SIDESTEP_REQUIRE(has_moved, joint);
   }
   for (const std::string& name : distal.shapes) {
     const bool has_moved =
         MoveIf(&body->shapes, &part.shapes, [&](const Shape& shape) { return shape.name == name; });
-    if (!has_moved) fail("link '" + body->name + "' has no shape '" + name + "'");
+    SIDESTEP_REQUIRE(has_moved, name);
   }
   MoveIf(&body->frames, &part.frames,
          [&](const Frame& frame) { return frame.name == sensor.name; });
@@ -53,19 +46,12 @@ void Split(const std::string& file, const UrdfForceTorque& sensor, Body* body) {
 
 }  // namespace
 
-void SplitBodies(const std::string& file, const std::vector<UrdfForceTorque>& sensors, Body* base) {
+void SplitBodies(const std::vector<UrdfForceTorque>& sensors, Body* base) {
   for (const UrdfForceTorque& sensor : sensors) {
     Body* body = FindCarrier(*base, sensor.name);
-    if (body == nullptr) {
-      throw ConfigError(file + ": error: force/torque sensor '" + sensor.name +
-                        "' is no link without mass");
-    }
-    if (sensor.distal) {
-      Split(file, sensor, body);
-    } else if (body == base) {
-      throw ConfigError(file + ": error: force/torque sensor '" + sensor.name +
-                        "' is on the base and so has nothing on its other side");
-    }
+    SIDESTEP_REQUIRE(body != nullptr, sensor.name);
+    SIDESTEP_REQUIRE(sensor.distal || body != base, sensor.name);
+    if (sensor.distal) Split(sensor, body);
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 // split_bodies: cuts bodies in two where a force/torque sensor sits inside them.
 
-#include <string>
 #include <vector>
 
 #include "models/urdf_to_mjcf/body_tree.h"
@@ -12,8 +11,8 @@ namespace sidestep {
 
 /// Moves the distal part of every sensor that has one into a body `<sensor>_distal`, welded to what
 /// remains and with the same frame, and the sensor's frame with it. Mass, first and second moment
-/// of the two together are those of the body before. Throws ConfigError naming `file` if a name is
-/// unknown or a rest is no physical body.
-void SplitBodies(const std::string& file, const std::vector<UrdfForceTorque>& sensors, Body* base);
+/// of the two together are those of the body before. Throws ContractViolation if a name is unknown,
+/// a rest is no physical body or a sensor on the base has no distal part.
+void SplitBodies(const std::vector<UrdfForceTorque>& sensors, Body* base);
 
 }  // namespace sidestep

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "models/support/config_error.h"
+#include "models/support/require.h"
 #include "models/urdf_to_mjcf/read_urdf.h"
 #include "models/urdf_to_mjcf/split_bodies.h"
 #include "models/urdf_to_mjcf/write_mjcf.h"
@@ -19,16 +19,13 @@ void AddJoints(const Body& body, std::vector<std::string>* joints) {
 }
 
 /// Every moving joint must have exactly one motor.
-void CheckActuators(const std::string& file, const Body& base,
-                    const std::vector<UrdfActuator>& actuators) {
+void CheckActuators(const Body& base, const std::vector<UrdfActuator>& actuators) {
   ForEachBody(base, [&](const Body& body) {
     if (!body.joint) return;
     const auto motors = std::count_if(
         actuators.begin(), actuators.end(),
         [&](const UrdfActuator& actuator) { return actuator.joint == body.joint->name; });
-    if (motors == 1) return;
-    throw ConfigError(file + ": error: joint '" + body.joint->name +
-                      (motors == 0 ? "' has neither a motor nor a lock" : "' has two motors"));
+    SIDESTEP_REQUIRE(motors == 1, body.joint->name);
   });
 }
 
@@ -39,7 +36,7 @@ UrdfParts ReadUrdfParts(const std::filesystem::path& urdf) {
   UrdfParts parts;
   parts.joints = tree.joints;
   ForEachBody(tree.base, [&](const Body& body) {
-    UrdfLinkInfo link{body.name, {}, {}};
+    UrdfLinkInfo link{body.name, body.mass, {}, {}};
     AddJoints(body, &link.joints);
     for (const Shape& shape : body.shapes) {
       if (!shape.name.empty()) link.shapes.push_back(shape.name);
@@ -52,8 +49,8 @@ UrdfParts ReadUrdfParts(const std::filesystem::path& urdf) {
 
 std::string UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
   UrdfTree tree = ReadUrdf(urdf, conversion.locked_joints);
-  CheckActuators(urdf.string(), tree.base, conversion.actuators);
-  SplitBodies(urdf.string(), conversion.force_torque, &tree.base);
+  CheckActuators(tree.base, conversion.actuators);
+  SplitBodies(conversion.force_torque, &tree.base);
   return WriteMjcf(urdf.stem().string(), tree.base, conversion);
 }
 

@@ -80,6 +80,7 @@ struct UrdfJointInfo {
 /// A link with mass.
 struct UrdfLinkInfo {
   std::string name;
+  MassProperties mass;              ///< In the link's frame.
   std::vector<std::string> joints;  ///< Moving joints on it, or on a link without mass fixed to it.
   std::vector<std::string>
       shapes;  ///< Names of its visual and collision shapes, without empty ones.
@@ -103,7 +104,9 @@ struct UrdfParts {
 UrdfParts ReadUrdfParts(const std::filesystem::path& urdf);
 
 /// Converts. The base is the URDF's first link with mass; it gets a free joint.
-/// Throws ConfigError as ReadUrdfParts, and for names in `conversion` that the URDF lacks.
+/// Throws ConfigError as ReadUrdfParts, and ContractViolation if `conversion` does not fit the
+/// URDF: check its names, motors and distal masses against UrdfParts, where a user's file tells the
+/// place.
 std::string UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion);
 
 }  // namespace sidestep

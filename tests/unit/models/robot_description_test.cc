@@ -144,16 +144,19 @@ TEST_F(RobotErrorTest, Keys) {
             "robot.yaml:3:7: error: mjcf = 'maxi.xml' is no file beside this one");
   EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trunk\nmass_kg: 1"),
             "robot.yaml:5:10: error: mass_kg is told by the MJCF; leave it out");
-  EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trunk\ncolour: red"),
-            "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
-            "com_height_m, mjcf, mass_kg, base, imu, base_height_m, home, feet, control");
+  EXPECT_EQ(
+      ErrorOfEdit("mini", "base: trunk", "base: trunk\ncolour: red"),
+      "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
+      "com_height_m, urdf, mjcf, mass_kg, base, imu, torso, base_height_m, base_rpy_rad, home, "
+      "arm_force_torque, feet, control");
   EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: foot, size: 1"),
             "robot.yaml:10:31: error: feet.0.size is not a known key; known keys: name, frame, "
-            "vertices_m, sole_height_m");
+            "force_torque, vertices_m, sole_height_m");
   EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30\n", ""),
             "robot.yaml:1:1: error: mass_kg is missing (required)");
   EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30", "mass_kg: 30\nbase: trunk"),
-            "robot.yaml:4:1: error: base means nothing for a robot without an mjcf");
+            "robot.yaml:4:1: error: base means nothing for a robot without an mjcf or a "
+            "urdf");
   EXPECT_EQ(ErrorOfEdit("point", "feet:\n  - {name: foot, vertices_m: [[0, 0, 0]]}", "feet: []"),
             "robot.yaml:5:7: error: feet must hold at least one foot");
 }
