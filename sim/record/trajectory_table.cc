@@ -75,9 +75,12 @@ double Entry(const Eigen::VectorXd& vector, std::size_t at) {
 
 }  // namespace
 
-TrajectoryTable::TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints,
-                                 bool has_references)
-    : feet_(std::move(feet)), joints_(std::move(joints)), has_references_(has_references) {}
+TrajectoryTable::TrajectoryTable(const Scenario& scenario, std::vector<JointInfo> joints)
+    : joints_(std::move(joints)),
+      has_references_(scenario.control.mode == ControlMode::kPosition),
+      up_B_(UprightAxis(scenario)) {
+  for (const FootDescription& foot : scenario.description_of_robot.feet) feet_.push_back(foot.name);
+}
 
 std::string TrajectoryTable::Header() const {
   WorldTruth truth;
@@ -140,7 +143,7 @@ void TrajectoryTable::WalkTruth(const WorldTruth& truth, Line& line) const {
   line.Vector("truth_h_C_W", {}, "_kgm2ps", truth.angular_momentum);
   line.Vector("truth_p_WB", {}, "_m", truth.p_WB);
   line.Quaternion("truth_q_WB", {}, truth.q_WB);
-  line.Number("truth_tilt_rad", {}, {}, TiltRad(truth.q_WB));
+  line.Number("truth_tilt_rad", {}, {}, TiltRad(truth.q_WB, up_B_));
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     line.Vector("truth_p_WF_", feet_[i], "_m", truth.feet[i].p_WF);
     line.Quaternion("truth_q_WF_", feet_[i], Eigen::Quaterniond(truth.feet[i].R_WF));

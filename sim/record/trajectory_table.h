@@ -11,6 +11,7 @@
 
 #include "controller/types/control_tick.h"
 #include "sim/record/wall_times.h"
+#include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
@@ -25,9 +26,8 @@ struct TrajectoryRow {
 
 class TrajectoryTable {
  public:
-  /// @param has_references  Whether commands are references of servos.
-  TrajectoryTable(std::vector<std::string> feet, std::vector<JointInfo> joints,
-                  bool has_references);
+  /// @param joints  Of the plant.
+  TrajectoryTable(const Scenario& scenario, std::vector<JointInfo> joints);
 
   /// The first line, with its end.
   std::string Header() const;
@@ -45,7 +45,8 @@ class TrajectoryTable {
 
   std::vector<std::string> feet_;
   std::vector<JointInfo> joints_;
-  bool has_references_;
+  bool has_references_;   ///< Commands are references of servos.
+  Eigen::Vector3d up_B_;  ///< Of B's upright.
 };
 
 }  // namespace sidestep

@@ -18,21 +18,31 @@ std::string Compared(const char* what, double measured, const char* relation, do
 
 }  // namespace
 
-double TiltRad(const Eigen::Quaterniond& q_WB) {
+Eigen::Vector3d UprightAxis(const Scenario& scenario) {
+  if (scenario.plant == Plant::kCentroidal) return Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d& rpy_rad = scenario.description_of_robot.base_rpy_rad;
+  const double roll_rad = rpy_rad.x(), pitch_rad = rpy_rad.y();
+  // Last row of Rz(yaw) Ry(pitch) Rx(roll).
+  return {-std::sin(pitch_rad), std::cos(pitch_rad) * std::sin(roll_rad),
+          std::cos(pitch_rad) * std::cos(roll_rad)};
+}
+
+double TiltRad(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& up_B) {
   // atan2 keeps its digits near upright, where acos loses half of them.
-  const Eigen::Vector3d z_W = q_WB * Eigen::Vector3d::UnitZ();
-  return std::atan2(z_W.head<2>().norm(), z_W.z());
+  const Eigen::Vector3d up_W = q_WB * up_B;
+  return std::atan2(up_W.head<2>().norm(), up_W.z());
 }
 
 FallMeter::FallMeter(const Scenario& scenario)
     : bounds_(scenario.verdict),
       is_centroidal_(scenario.plant == Plant::kCentroidal),
+      up_B_(UprightAxis(scenario)),
       nominal_height_m_(is_centroidal_ ? scenario.description_of_robot.com_height_m
                                        : scenario.description_of_robot.base_height_m) {}
 
 void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   const double height_m = is_centroidal_ ? truth.p_WC.z() : truth.p_WB.z();
-  const double tilt_rad = TiltRad(truth.q_WB);
+  const double tilt_rad = TiltRad(truth.q_WB, up_B_);
   min_height_m_ = std::min(min_height_m_, height_m);
   max_height_m_ = std::max(max_height_m_, height_m);
   max_tilt_rad_ = std::max(max_tilt_rad_, tilt_rad);

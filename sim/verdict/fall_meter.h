@@ -13,8 +13,12 @@
 
 namespace sidestep {
 
-/// Angle between B's z axis and the vertical (rad), in [0, pi].
-double TiltRad(const Eigen::Quaterniond& q_WB);
+/// Axis of B that points up at the start: z, unless the robot's base_rpy_rad tilts it. Unit length.
+Eigen::Vector3d UprightAxis(const Scenario& scenario);
+
+/// Angle between an axis of B and the vertical (rad), in [0, pi].
+double TiltRad(const Eigen::Quaterniond& q_WB,
+               const Eigen::Vector3d& up_B = Eigen::Vector3d::UnitZ());
 
 class FallMeter {
  public:
@@ -36,6 +40,7 @@ class FallMeter {
  private:
   VerdictParams bounds_;
   bool is_centroidal_;
+  Eigen::Vector3d up_B_;
   double nominal_height_m_;
   double min_height_m_{std::numeric_limits<double>::infinity()};
   double max_height_m_{-std::numeric_limits<double>::infinity()};

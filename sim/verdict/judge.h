@@ -9,7 +9,8 @@
 //
 // Rules (bounds from the scenario's `verdict:` block; W's z = 0 is the ground):
 //   FALL    base lower than min_base_height_ratio x nominal height (the CoM on the centroidal
-//           plant), tilted by more than max_tilt_rad, or a body other than a foot on the ground.
+//           plant), tilted by more than max_tilt_rad from its attitude at the start, or a body
+//           other than a foot on the ground.
 //   SLIP    a foot slides by more than max_slip_m in one stance, before any fall.
 //   SOLVER  the MPC fails more than five times in a row, before any fall.
 //   EXPECTATION   one per expectation that is not met.

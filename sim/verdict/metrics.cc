@@ -13,7 +13,7 @@ constexpr std::array kMetrics{
     MetricInfo{"fall_time_s", "s", "when the fall was first seen", false},
     MetricInfo{"min_base_height_m", "m", "lowest height of the base", false},
     MetricInfo{"max_base_height_m", "m", "greatest height of the base", false},
-    MetricInfo{"max_tilt_rad", "rad", "largest angle of the base from upright", false},
+    MetricInfo{"max_tilt_rad", "rad", "largest angle of the base from its upright", false},
     MetricInfo{"max_angular_momentum_kgm2ps", "kg m^2/s",
                "largest angular momentum about the CoM; a reduced model can spin but not tilt",
                false},

@@ -100,6 +100,34 @@ TEST(ConeViolationTest, IsTheWorstOfAllVerticesAndOfBothSides) {
   EXPECT_NEAR(ConeViolation_N(foot, 0.5), 3.0, 1e-12);
 }
 
+TEST(TiltTest, IsMeasuredFromTheAttitudeAtTheStart) {
+  Scenario scenario;
+  scenario.description_of_robot.base_rpy_rad = {0.2, -0.3, 0.9};
+  const Eigen::Quaterniond start = Eigen::AngleAxisd(0.9, Eigen::Vector3d::UnitZ()) *
+                                   Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitY()) *
+                                   Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX());
+  const Eigen::Vector3d up_B = UprightAxis(scenario);
+  EXPECT_NEAR(TiltRad(start, up_B), 0.0, 1e-15);
+  const Eigen::AngleAxisd turn(0.4, Eigen::Vector3d::UnitX());
+  EXPECT_NEAR(TiltRad(turn * start, up_B), 0.4, 1e-12);
+  scenario.plant = Plant::kCentroidal;
+  EXPECT_EQ(UprightAxis(scenario), Eigen::Vector3d::UnitZ()) << "a point mass has no attitude";
+}
+
+TEST(FallMeterTest, BaseThatIsBuiltTiltedHasNotFallen) {
+  Scenario scenario;
+  scenario.description_of_robot.base_rpy_rad.y() = -1.2;
+  FallMeter meter(scenario);
+  WorldTruth truth;
+  truth.q_WB = Eigen::AngleAxisd(-1.2, Eigen::Vector3d::UnitY());
+  meter.Add(0, truth);
+  EXPECT_FALSE(meter.has_fallen());
+  EXPECT_NEAR(meter.max_tilt_rad(), 0.0, 1e-12);
+  truth.q_WB = Eigen::Quaterniond::Identity();
+  meter.Add(1, truth);
+  EXPECT_TRUE(meter.has_fallen());
+}
+
 TEST(TiltTest, KeepsItsDigitsNearUprightAndUpsideDown) {
   const auto tilt = [](double angle_rad) {
     return TiltRad(Eigen::Quaterniond(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitY())));
