@@ -3,8 +3,8 @@
 // block, what is carried over unchanged, and the coupling Y of both:
 //
 //   M = carried + G^T V_xx G + G^T Y^T + Y G + own curvature.
-#include "controller/mpc/structured/core_math.h"
 #include "controller/mpc/structured/stage_matrix.h"
+#include "controller/mpc/structured/tile.h"
 
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
@@ -77,7 +77,7 @@ void BuildDynamics(const ProblemView& problem, int k, const Evaluation& at,
 void BuildCoupling(const ProblemView& problem, const Stage& stage, const double* next, int stride,
                    double* coupling) {
   const int rows = stage.num_active;
-  Fill(coupling, 9 * rows, 0.0);
+  Fill(coupling, 12 * rows, 0.0);
   for (int i = stage.first_carry; i < stage.first_carry + stage.num_carries; ++i) {
     const Carry& carry = problem.carries[i];
     for (int a = 0; a < 9; ++a) {
@@ -92,35 +92,37 @@ void BuildCoupling(const ProblemView& problem, const Stage& stage, const double*
 void BuildProduct(const Stage& stage, const double* next, int stride, const double* coupling,
                   double* product) {
   const int rows = stage.num_active;
+  alignas(32) double value[9 * 12] = {};  // V_xx in full, by columns of twelve.
   for (int a = 0; a < 9; ++a) {
-    double* out = product + a * rows;
-    for (int i = 0; i < rows; ++i) out[i] = coupling[a * rows + i];
-    for (int b = 0; b < 9; ++b) {
-      const double value = a >= b ? next[b * stride + a] : next[a * stride + b];
-      const double* G = stage.dynamics + b * rows;
-      const int first = b < 3 ? stage.num_pivots : 0;  // Forces do not move p at once.
-      for (int i = first; i < rows; ++i) out[i] += value * G[i];
-    }
+    for (int b = 0; b <= a; ++b) value[12 * b + a] = value[12 * a + b] = next[b * stride + a];
+  }
+  for (int column = 0; column < 12; column += 4) {
+    ForTiles(
+        0, rows, [&](auto tile, int row) __attribute__((always_inline)) {
+          tile.Read(coupling + column * rows + row, rows);
+          tile.template Accumulate<false>({stage.dynamics + row, rows}, {value + column, 12}, 0, 9);
+          tile.Write(product + column * rows + row, rows);
+        });
   }
 }
 
-void AddCongruence(const StageMatrix& matrix, const double* coupling, const double* product) {
+// Overwrites the active rows of the lower triangle.
+void SetCongruence(const StageMatrix& matrix, const double* coupling, const double* product) {
   const Stage& stage = matrix.stage;
   const int rows = stage.num_active;
-  for (int j = 0; j < rows; ++j) {
-    double* column = matrix.Column(j);
-    for (int a = 0; a < 9; ++a) {
-      const double slope = stage.dynamics[a * rows + j];
-      const double carried = coupling[a * rows + j];
-      const double* Q = product + a * rows;
-      const double* G = stage.dynamics + a * rows;
-      if (slope != 0.0) {
-        for (int i = j; i < rows; ++i) column[i] += slope * Q[i];
-      }
-      if (carried != 0.0) {
-        for (int i = j; i < rows; ++i) column[i] += carried * G[i];
-      }
-    }
+  const double* G = stage.dynamics;
+  for (int column = 0; column < rows; column += 4) {
+    const bool is_pivot = column < stage.num_pivots;
+    double* target = matrix.Column(column);
+    const int stride = is_pivot ? stage.num_rows : matrix.kept;
+    const int first = column + 4 <= 3 * stage.num_slots ? 3 : 0;  // Forces do not move p at once.
+    ForTiles(
+        column, rows, [&](auto tile, int row) __attribute__((always_inline)) {
+          tile.Clear();
+          tile.template Accumulate<false>({product + row, rows}, {G + column, rows}, first, 9);
+          tile.template Accumulate<false>({G + row, rows}, {coupling + column, rows}, 0, 9);
+          tile.Write(target + row, stride);
+        });
   }
 }
 
@@ -147,8 +149,7 @@ void AddCarried(const ProblemView& problem, const StageMatrix& matrix, const dou
 }
 
 // Curvature and slope of the stage's forces.
-void AddForces(const ProblemView& problem, int k, const NewtonTerms& terms,
-               const StageMatrix& matrix) {
+void AddForces(const ProblemView& problem, const NewtonTerms& terms, const StageMatrix& matrix) {
   const Stage& stage = matrix.stage;
   const int n = stage.num_slots, one = stage.num_pivots + kOneRow;
   const double* curvature = terms.curvature + 6 * stage.first_slot;
@@ -174,7 +175,6 @@ void AddForces(const ProblemView& problem, int k, const NewtonTerms& terms,
       matrix.Column(n + j)[2 * n + j] += curvature[5 * n + j];
     }
   }
-  (void)k;
 }
 
 // Second derivatives of costate . (p_F - p) x u.
@@ -265,20 +265,20 @@ void AssembleStage(const ProblemView& problem, int k, const Evaluation& at,
   const StageMatrix matrix{stage, tail, stage.num_rows - stage.num_pivots};
   Fill(stage.panel, stage.num_rows * stage.num_pivots, 0.0);
   Fill(tail, matrix.kept * matrix.kept, 0.0);
-  for (int i = 3 * (stage.num_slots + stage.num_new); i < stage.num_pivots; ++i) {
-    matrix.Column(i)[i] = 1.0;
-  }
   if (k < problem.knots) {
     const Stage& after = problem.stages[k + 1];
     const int stride = after.num_rows - after.num_pivots;
     BuildDynamics(problem, k, at, linear);
     BuildCoupling(problem, stage, next, stride, terms.value);
     BuildProduct(stage, next, stride, terms.value, terms.product);
-    AddCongruence(matrix, terms.value, terms.product);
+    SetCongruence(matrix, terms.value, terms.product);
     AddCarried(problem, matrix, next, stride);
-    AddForces(problem, k, terms, matrix);
+    AddForces(problem, terms, matrix);
     if (terms.is_exact) AddDynamicsCurvature(problem, k, linear, matrix);
     CoupleToPreviousForces(problem, matrix);
+  }
+  for (int i = 3 * (stage.num_slots + stage.num_new); i < stage.num_pivots; ++i) {
+    matrix.Column(i)[i] = 1.0;
   }
   AddLocations(problem, terms, matrix);
   AddStates(problem, k, terms, matrix);

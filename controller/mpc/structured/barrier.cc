@@ -100,8 +100,63 @@ void BuildTerms(const ProblemView& problem, const double* point, const Evaluatio
   }
 }
 
+void SetTarget(const ProblemView& problem, double barrier, double* target) {
+  Fill(target + problem.at.z, problem.at.size - problem.at.z, barrier);
+}
+
+void BuildCorrection(const ProblemView& problem, const double* point, const double* affine,
+                     double barrier, double weight, double* target, double* change) {
+  for (int k = 0; k < problem.knots; ++k) {
+    const Stage& stage = problem.stages[k];
+    const int n = stage.num_slots, base = problem.num_faces * stage.first_slot;
+    double* slope = change + problem.at.u + 3 * stage.first_slot;
+    Fill(slope, 3 * n, 0.0);
+    for (int r = 0; r < problem.num_faces; ++r) {
+      const double* row = problem.face + 3 * (base + r * n);
+      const int at_s = problem.at.s + base + r * n, at_z = problem.at.z + base + r * n;
+      for (int j = 0; j < n; ++j) {
+        const double aim = barrier - weight * affine[at_s + j] * affine[at_z + j];
+        const double pull = aim / point[at_s + j];
+        target[at_z + j] = aim;
+        slope[j] += pull * row[j];
+        slope[n + j] += pull * row[n + j];
+        slope[2 * n + j] += pull * row[2 * n + j];
+      }
+    }
+  }
+  for (int i = 0; i < 3 * problem.num_locations; ++i) {
+    const int d = problem.at.d + i, lower = problem.at.lower + i, upper = problem.at.upper + i;
+    change[d] = 0.0;
+    if (problem.is_free[i] == 0.0) continue;
+    target[lower] = barrier - weight * affine[d] * affine[lower];
+    target[upper] = barrier + weight * affine[d] * affine[upper];
+    change[d] = target[upper] / (problem.box_upper[i] - point[d]) -
+                target[lower] / (point[d] - problem.box_lower[i]);
+  }
+}
+
+double AverageProduct(const ProblemView& problem, const double* point, const double* direction,
+                      const StepLimits& step) {
+  const int offset = problem.at.z - problem.at.s;
+  double sum = 0.0;
+  int count = offset;
+  for (int i = problem.at.s; i < problem.at.z; ++i) {
+    sum += (point[i] + step.primal * direction[i]) *
+           (point[i + offset] + step.dual * direction[i + offset]);
+  }
+  for (int i = 0; i < 3 * problem.num_locations; ++i) {
+    if (problem.is_free[i] == 0.0) continue;
+    const int lower = problem.at.lower + i, upper = problem.at.upper + i;
+    const double d = point[problem.at.d + i] + step.primal * direction[problem.at.d + i];
+    sum += (d - problem.box_lower[i]) * (point[lower] + step.dual * direction[lower]);
+    sum += (problem.box_upper[i] - d) * (point[upper] + step.dual * direction[upper]);
+    count += 2;
+  }
+  return count == 0 ? 0.0 : sum / count;
+}
+
 void CompleteDirection(const ProblemView& problem, const double* point, const Evaluation& at,
-                       double barrier, double* direction) {
+                       const double* target, double* direction) {
   for (int k = 0; k < problem.knots; ++k) {
     const Stage& stage = problem.stages[k];
     const int n = stage.num_slots, base = problem.num_faces * stage.first_slot;
@@ -111,12 +166,13 @@ void CompleteDirection(const ProblemView& problem, const double* point, const Ev
       const double* s = point + problem.at.s + base + r * n;
       const double* z = point + problem.at.z + base + r * n;
       const double* residual = at.residual + base + r * n;
+      const double* aim = target + problem.at.z + base + r * n;
       double* ds = direction + problem.at.s + base + r * n;
       double* dz = direction + problem.at.z + base + r * n;
       for (int j = 0; j < n; ++j) {
         ds[j] =
             -residual[j] - row[j] * du[j] - row[n + j] * du[n + j] - row[2 * n + j] * du[2 * n + j];
-        dz[j] = (barrier - z[j] * ds[j]) / s[j] - z[j];
+        dz[j] = (aim[j] - z[j] * ds[j]) / s[j] - z[j];
       }
     }
   }
@@ -125,8 +181,10 @@ void CompleteDirection(const ProblemView& problem, const double* point, const Ev
     const int lower = problem.at.lower + i, upper = problem.at.upper + i;
     direction[lower] = direction[upper] = 0.0;
     if (problem.is_free[i] == 0.0) continue;
-    direction[lower] = (barrier - point[lower] * step) / (d - problem.box_lower[i]) - point[lower];
-    direction[upper] = (barrier + point[upper] * step) / (problem.box_upper[i] - d) - point[upper];
+    direction[lower] =
+        (target[lower] - point[lower] * step) / (d - problem.box_lower[i]) - point[lower];
+    direction[upper] =
+        (target[upper] + point[upper] * step) / (problem.box_upper[i] - d) - point[upper];
   }
 }
 

@@ -21,13 +21,27 @@ namespace SIDESTEP_ISA {
 /// to the middle of their box, and sets the multipliers to barrier / distance.
 void StartInside(const ProblemView& problem, double push, double barrier, double* point);
 
+/// Sets all targets to one value.
+void SetTarget(const ProblemView& problem, double barrier, double* target);
+
 /// Fills curvature and slope of the barrier problem.
 void BuildTerms(const ProblemView& problem, const double* point, const Evaluation& at,
                 const Linearization& linear, double barrier, NewtonTerms* terms);
 
-/// The slacks' and multipliers' part of the direction.
+/// The slacks' and multipliers' part of the direction. `target`, in a point's order, is what their
+/// products aim at; entries at the slacks are not read.
 void CompleteDirection(const ProblemView& problem, const double* point, const Evaluation& at,
-                       double barrier, double* direction);
+                       const double* target, double* direction);
+
+/// Sets what the products of slacks and multipliers aim at, `barrier` minus `weight` times the
+/// product of their affine steps, and by how much the slopes differ from those of a barrier of
+/// zero.
+void BuildCorrection(const ProblemView& problem, const double* point, const double* affine,
+                     double barrier, double weight, double* target, double* change);
+
+/// Average product of slack and multiplier after a step.
+double AverageProduct(const ProblemView& problem, const double* point, const double* direction,
+                      const StepLimits& step);
 
 /// Longest steps that leave the share 1 - `fraction` of every distance and multiplier.
 StepLimits LimitSteps(const ProblemView& problem, const double* point, const double* direction,

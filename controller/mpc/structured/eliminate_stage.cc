@@ -1,66 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Partial Cholesky factorisation of a stage, left-looking in tiles of up to 12 x 4 that stay in
-// registers. A row of a force of stage k - 1 is zero up to its own pivot (first_pivot), which
-// saves about half of the work.
-#include "controller/mpc/structured/core_math.h"
+// Partial Cholesky factorisation of a stage, left-looking. A row of a force of stage k - 1 is zero
+// up to its own pivot (first_pivot), which saves about half of the work.
 #include "controller/mpc/structured/stage_matrix.h"
+#include "controller/mpc/structured/tile.h"
 
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
-
-using Pack = double __attribute__((vector_size(32)));
-
-inline Pack Load(const double* from) { return *reinterpret_cast<const Pack*>(from); }
-inline void Store(Pack value, double* to) { *reinterpret_cast<Pack*>(to) = value; }
-
-// target(0.., 0..3) -= sum_p rows(0.., p) columns(0..3, p) for p in [begin, end): `count` packs of
-// four rows. All matrices by columns with the given strides.
-template <int count>
-inline __attribute__((always_inline)) void UpdateTile(const double* rows, const double* columns,
-                                                      int stride, int begin, int end,
-                                                      double* target, int target_stride) {
-  Pack sum[count][4];
-  for (int i = 0; i < count; ++i) {
-    for (int c = 0; c < 4; ++c) sum[i][c] = Load(target + c * target_stride + 4 * i);
-  }
-  for (int p = begin; p < end; ++p) {
-    const double* right = columns + p * stride;
-    for (int i = 0; i < count; ++i) {
-      const Pack left = Load(rows + p * stride + 4 * i);
-      for (int c = 0; c < 4; ++c) sum[i][c] -= left * right[c];
-    }
-  }
-  for (int i = 0; i < count; ++i) {
-    for (int c = 0; c < 4; ++c) Store(sum[i][c], target + c * target_stride + 4 * i);
-  }
-}
 
 // Applies pivots [.., end) to four columns of a matrix whose rows [row_begin, row_end) count from
 // the panel's; `column` is the panel's row that belongs to the first of the four.
 void UpdateColumns(const Stage& stage, int column, int row_begin, int row_end, int end,
                    double* target, int target_stride) {
   const int stride = stage.num_rows;
-  const double* columns = stage.panel + column;
   const int column_first = stage.first_pivot[column / 4];
-  int row = row_begin;
-  while (row < row_end) {
-    const int row_first = stage.first_pivot[row / 4];
-    const int begin = row_first > column_first ? row_first : column_first;
-    if (begin >= end) return;  // First pivots do not decrease with the row.
-    const double* rows = stage.panel + row;
-    double* tile = target + (row - row_begin);
-    const int left = row_end - row;
-    if (left >= 12) {
-      UpdateTile<3>(rows, columns, stride, begin, end, tile, target_stride);
-      row += 12;
-    } else if (left >= 8) {
-      UpdateTile<2>(rows, columns, stride, begin, end, tile, target_stride);
-      row += 8;
-    } else {
-      UpdateTile<1>(rows, columns, stride, begin, end, tile, target_stride);
-      row += 4;
-    }
-  }
+  ForTiles(
+      row_begin, row_end, [&](auto tile, int row) __attribute__((always_inline)) {
+        const int row_first = stage.first_pivot[row / 4];
+        const int begin = row_first > column_first ? row_first : column_first;
+        if (begin >= end) return;
+        tile.Read(target + (row - row_begin), target_stride);
+        tile.template Accumulate<true>({stage.panel + row, stride}, {stage.panel + column, stride},
+                                       begin, end);
+        tile.Write(target + (row - row_begin), target_stride);
+      });
 }
 
 // Factorises the 4 x 4 block at the head of four columns. False if a pivot is not positive.

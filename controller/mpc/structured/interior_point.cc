@@ -8,6 +8,10 @@ namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
 
 constexpr double kAcceptable = 1e-6;  // As Ipopt's acceptable_tol.
+constexpr double kColdBarrier = 0.1;  // As Ipopt's mu_init.
+constexpr double kLeastSlack = 1e-8;  // m/s^2, after a recovery.
+constexpr int kMaxRecoveries = 8;
+constexpr int kMaxAdaptive = 60;  // Iterations before the barrier falls monotonically.
 
 class Minimizer {
  public:
@@ -20,6 +24,8 @@ class Minimizer {
   double KktError(double barrier) const;
   void LowerBarrier();
   bool FindDirection();
+  bool FactorizeShifted();
+  void Correct();
   bool SearchLine();
   bool Recover();
   bool IsAcceptable(double step, double slope, double infeasibility, double value);
@@ -38,6 +44,7 @@ class Minimizer {
   double first_infeasibility_{1.0};
   double alpha_{0.0}, alpha_dual_{0.0};
   int num_recoveries_{0};
+  bool is_adaptive_{true};
 };
 
 double Minimizer::KktError(double barrier) const {
@@ -67,16 +74,14 @@ void Minimizer::LowerBarrier() {
   }
 }
 
-bool Minimizer::FindDirection() {
-  BuildTerms(problem_, work_.point, work_.now, work_.linear, barrier_, &work_.newton);
+// Factorises with the least shift of the diagonal that makes every pivot positive.
+bool Minimizer::FactorizeShifted() {
   work_.newton.is_exact = settings_.is_exact;
   shift_ = 0.0;
   for (int attempt = 0; attempt < 40; ++attempt) {
     work_.newton.shift = shift_;
     if (Factorize(problem_, work_.now, work_.linear, work_.newton)) {
       if (shift_ > 0.0) last_shift_ = shift_;
-      SolveForward(problem_, work_.newton, work_.direction);
-      CompleteDirection(problem_, work_.point, work_.now, barrier_, work_.direction);
       return true;
     }
     if (shift_ == 0.0) {
@@ -86,6 +91,37 @@ bool Minimizer::FindDirection() {
     }
   }
   return false;
+}
+
+bool Minimizer::FindDirection() {
+  const double barrier = is_adaptive_ ? 0.0 : barrier_;
+  BuildTerms(problem_, work_.point, work_.now, work_.linear, barrier, &work_.newton);
+  if (!FactorizeShifted()) return false;
+  SolveForward(problem_, work_.newton, false, work_.direction);
+  SetTarget(problem_, barrier, work_.target);
+  CompleteDirection(problem_, work_.point, work_.now, work_.target, work_.direction);
+  if (is_adaptive_) Correct();
+  return true;
+}
+
+// Mehrotra's predictor and corrector: the affine step tells how far the barrier may fall. Its
+// second-order term counts as far as the affine step can be taken (Colombo & Gondzio, "Further
+// development of multiple centrality correctors for interior point methods", 2008): in full it
+// makes the dynamics' curvature unmanageable under large pushes.
+void Minimizer::Correct() {
+  const StepLimits full{0.0, 0.0};
+  const StepLimits affine = LimitSteps(problem_, work_.point, work_.direction, 1.0);
+  const double now = AverageProduct(problem_, work_.point, work_.direction, full);
+  const double then = AverageProduct(problem_, work_.point, work_.direction, affine);
+  const double ratio = now > 0.0 ? then / now : 0.0;
+  barrier_ = Max(settings_.tolerance / 10.0, now * ratio * ratio * ratio);
+  fraction_ = Max(0.99, 1.0 - barrier_);
+  ResetFilter();
+  BuildCorrection(problem_, work_.point, work_.direction, barrier_, affine.primal * affine.dual,
+                  work_.target, work_.change);
+  ChangeSlope(problem_, work_.newton, work_.change);
+  SolveForward(problem_, work_.newton, true, work_.direction);
+  CompleteDirection(problem_, work_.point, work_.now, work_.target, work_.direction);
 }
 
 bool Minimizer::IsAcceptable(double step, double slope, double infeasibility, double value) {
@@ -138,14 +174,15 @@ bool Minimizer::SearchLine() {
 }
 
 // When no step is accepted: first states that the dynamics follow exactly, which leaves the barrier
-// function alone to judge; then a barrier that keeps the forces further from their limits.
+// function alone to judge; then also a barrier that falls only once its problem is solved.
 bool Minimizer::Recover() {
-  if (++num_recoveries_ > 8) return false;
-  if (num_recoveries_ % 2 == 0) barrier_ = Max(0.1, 10.0 * barrier_);
-  RollOut(problem_, 1e-8, work_.point);
-  for (int i = problem_.at.s; i < problem_.at.z; ++i) {
-    work_.point[i + problem_.at.z - problem_.at.s] = barrier_ / work_.point[i];
+  if (++num_recoveries_ > kMaxRecoveries) return false;
+  if (num_recoveries_ > 1) {
+    is_adaptive_ = false;
+    barrier_ = Max(kColdBarrier, barrier_);
   }
+  RollOut(problem_, kLeastSlack, work_.point);
+  StartInside(problem_, kLeastSlack, barrier_, work_.point);
   Evaluate(problem_, work_.point, &work_.now);
   Linearize(problem_, work_.point, &work_.linear);
   first_infeasibility_ = Max(1.0, work_.now.infeasibility);
@@ -156,6 +193,7 @@ bool Minimizer::Recover() {
 Summary Minimizer::Run() {
   Summary summary;
   barrier_ = settings_.barrier;
+  is_adaptive_ = settings_.is_adaptive;
   fraction_ = Max(0.99, 1.0 - barrier_);
   StartInside(problem_, settings_.push, barrier_, work_.point);
   Evaluate(problem_, work_.point, &work_.now);
@@ -173,7 +211,12 @@ Summary Minimizer::Run() {
       summary.outcome = Outcome::kIterationLimit;
       return summary;
     }
-    LowerBarrier();
+    if (is_adaptive_ && summary.iterations == kMaxAdaptive) {
+      is_adaptive_ = false;
+      barrier_ = Max(barrier_, AverageProduct(problem_, work_.point, work_.direction, {0.0, 0.0}));
+      ResetFilter();
+    }
+    if (!is_adaptive_) LowerBarrier();
     if (FindDirection() && SearchLine()) continue;
     if (summary.kkt_error <= kAcceptable || !Recover()) break;
   }

@@ -15,9 +15,10 @@ enum class Outcome { kSolved, kAcceptable, kIterationLimit, kStuck };
 struct Settings {
   double tolerance{1e-8};
   int max_iterations{200};
-  double barrier{0.1};  ///< To start with.
-  double push{1e-2};    ///< Least distance from a bound at the start.
-  bool is_exact{true};  ///< Second derivatives of the dynamics included.
+  double barrier{0.1};     ///< To start with.
+  double push{1e-2};       ///< Least distance from a bound at the start.
+  bool is_adaptive{true};  ///< Predictor and corrector instead of a monotone barrier.
+  bool is_exact{true};     ///< Second derivatives of the dynamics included.
 };
 
 struct Summary {
@@ -32,6 +33,8 @@ struct Workspace {
   double* point{nullptr};  ///< In: the start's x, u, d. Out: the solution.
   double* trial{nullptr};
   double* direction{nullptr};
+  double* target{nullptr};  ///< Products of slack and multiplier aimed at, in a point's order.
+  double* change{nullptr};  ///< Change of the slopes by the corrector, in a point's order.
   Evaluation now;
   Evaluation next;
   Linearization linear;

@@ -48,6 +48,7 @@ struct Stage {
   int first_alive{0}, num_new{0}, num_alive{0};
   int first_carry{0}, num_carries{0};  ///< From stage k + 1.
   int num_pivots{0};                   ///< Multiple of four.
+  int first_of_pivots{0};              ///< Pivots of the stages before.
   int num_active{0};                   ///< Rows that the dynamics touch; multiple of four.
   int num_rows{0};                     ///< Multiple of four.
   int num_kept{0};                     ///< Slots that continue from stage k - 1.
@@ -67,7 +68,8 @@ struct ProblemView {
   int knots{0};
   int num_slots{0};
   int num_locations{0};
-  int num_faces{0};  ///< Rows of the friction description.
+  int num_pivots{0};  ///< Of all stages.
+  int num_faces{0};   ///< Rows of the friction description.
   double step_s{0.0};
   double weight_com[3]{}, weight_momentum[3]{}, weight_symmetry[3]{}, weight_rate[3]{},
       weight_new[3]{};                ///< weight_rate is divided by step_s^2.

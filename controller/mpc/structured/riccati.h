@@ -23,10 +23,11 @@ struct NewtonTerms {
   double shift{0.0};                  ///< Added to the diagonals of u and d.
   bool is_exact{true};                ///< Curvature of the dynamics included.
   double* tail[2]{nullptr, nullptr};  ///< Cost-to-go matrices, of this stage and the next.
-  double* value{nullptr};             ///< Scratch, active rows x 9.
-  double* product{nullptr};           ///< Scratch, active rows x 9.
+  double* value{nullptr};             ///< Scratch, active rows x 12.
+  double* product{nullptr};           ///< Scratch, active rows x 12.
   double* vector{nullptr};            ///< Scratch, a stage's rows.
-  double* vector_next{nullptr};
+  double* kept{nullptr};              ///< Scratch, a stage's rows.
+  double* change{nullptr};            ///< One a pivot, stage by stage.
 };
 
 namespace SIDESTEP_ISA {
@@ -35,8 +36,13 @@ namespace SIDESTEP_ISA {
 bool Factorize(const ProblemView& problem, const Evaluation& at, const Linearization& linear,
                const NewtonTerms& terms);
 
-/// The Newton direction of x, u, d after Factorize().
-void SolveForward(const ProblemView& problem, const NewtonTerms& terms, double* direction);
+/// What a change of the slopes in u and d (`slope`, in the order of a point) adds to the constant's
+/// row of the factor, to `terms.change`. After Factorize().
+void ChangeSlope(const ProblemView& problem, const NewtonTerms& terms, const double* slope);
+
+/// The Newton direction of x, u, d after Factorize(), and after ChangeSlope() if `is_changed`.
+void SolveForward(const ProblemView& problem, const NewtonTerms& terms, bool is_changed,
+                  double* direction);
 
 }  // namespace SIDESTEP_ISA
 }  // namespace sidestep::mpc::structured

@@ -23,6 +23,7 @@ void StructuredProblem::Build(const CentroidalOcp& ocp) {
   carries_.clear();
   first_pivot_.clear();
   int num_slots = 0;
+  view_.num_pivots = 0;
   for (int k = 0; k <= ocp.knots; ++k) {
     AddBlocks(ocp, k);
     AddAlive(k);
@@ -30,6 +31,8 @@ void StructuredProblem::Build(const CentroidalOcp& ocp) {
     AddMemory(k);
     stages_[Size(k)].first_slot = num_slots;
     num_slots += stages_[Size(k)].num_slots;
+    stages_[Size(k)].first_of_pivots = view_.num_pivots;
+    view_.num_pivots += stages_[Size(k)].num_pivots;
   }
   for (int k = 0; k < ocp.knots; ++k) AddCarries(k);
   view_.knots = ocp.knots;

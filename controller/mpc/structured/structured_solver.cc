@@ -73,11 +73,13 @@ void StructuredSolver::TakeMemory() {
     rows = std::max(rows, Size(stage.num_rows));
     blocks += Size(stage.num_blocks);
   }
-  arena_.Reset(5 * point + 2 * residuals + 33 * stages + 9 * slots + 3 * blocks +
-                   3 * Size(view.num_locations) + 2 * tail + 18 * active + 2 * rows,
+  arena_.Reset(7 * point + 2 * residuals + 33 * stages + 9 * slots + 3 * blocks +
+                   3 * Size(view.num_locations) + 2 * tail + 24 * active + 2 * rows +
+                   Size(view.num_pivots),
                32);
-  for (double** array : {&workspace_.point, &workspace_.trial, &workspace_.direction,
-                         &workspace_.linear.gradient, &workspace_.newton.slope}) {
+  for (double** array :
+       {&workspace_.point, &workspace_.trial, &workspace_.direction, &workspace_.target,
+        &workspace_.change, &workspace_.linear.gradient, &workspace_.newton.slope}) {
     *array = arena_.Take(point);
   }
   for (structured::Evaluation* evaluation : {&workspace_.now, &workspace_.next}) {
@@ -92,10 +94,11 @@ void StructuredSolver::TakeMemory() {
   workspace_.newton.box_curvature = arena_.Take(3 * Size(view.num_locations));
   workspace_.newton.tail[0] = arena_.Take(tail);
   workspace_.newton.tail[1] = arena_.Take(tail);
-  workspace_.newton.value = arena_.Take(9 * active);
-  workspace_.newton.product = arena_.Take(9 * active);
+  workspace_.newton.value = arena_.Take(12 * active);
+  workspace_.newton.product = arena_.Take(12 * active);
   workspace_.newton.vector = arena_.Take(rows);
-  workspace_.newton.vector_next = arena_.Take(rows);
+  workspace_.newton.kept = arena_.Take(rows);
+  workspace_.newton.change = arena_.Take(Size(view.num_pivots));
 }
 
 const MpcSolution& StructuredSolver::Solve(const CentroidalOcp& ocp, const MpcSolution* guess) {
@@ -124,8 +127,8 @@ void StructuredSolver::Optimise(const CentroidalOcp& ocp, bool is_warm) {
   structured::Settings settings;
   settings.tolerance = options_.tolerance;
   settings.max_iterations = options_.max_iterations;
-  settings.barrier = is_warm ? 1e-4 : 1e-1;
-  settings.push = is_warm ? 1e-3 : 1e-2;
+  settings.barrier = is_warm ? 1e-3 : 1e-1;
+  settings.push = 1e-2;
   Report(ocp, structured::Minimize(problem_.view(), settings, &workspace_));
 }
 

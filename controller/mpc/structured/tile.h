@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// tile: products of small matrices by columns, in tiles of up to 12 x 4 that stay in registers.
+// Rows come in fours: every stride and row offset is a multiple of four, every array aligned.
+
+#include "controller/mpc/structured/core_math.h"
+
+namespace sidestep::mpc::structured {
+namespace {
+
+using Pack = double __attribute__((vector_size(32)));
+
+inline Pack Load(const double* from) { return *reinterpret_cast<const Pack*>(from); }
+inline void Store(Pack value, double* to) { *reinterpret_cast<Pack*>(to) = value; }
+
+/// A matrix by columns.
+struct Columns {
+  const double* at;
+  int stride;
+};
+
+/// The target's tile in registers: `count` packs of four rows, four columns.
+template <int count>
+struct Tile {
+  Pack sum[count][4];
+
+  __attribute__((always_inline)) void Clear() {
+    for (int i = 0; i < count; ++i) {
+      for (int c = 0; c < 4; ++c) sum[i][c] = Pack{0.0, 0.0, 0.0, 0.0};
+    }
+  }
+  __attribute__((always_inline)) void Read(const double* target, int stride) {
+    for (int i = 0; i < count; ++i) {
+      for (int c = 0; c < 4; ++c) sum[i][c] = Load(target + c * stride + 4 * i);
+    }
+  }
+  __attribute__((always_inline)) void Write(double* target, int stride) const {
+    for (int i = 0; i < count; ++i) {
+      for (int c = 0; c < 4; ++c) Store(sum[i][c], target + c * stride + 4 * i);
+    }
+  }
+  /// += (or -=) sum over p in [begin, end) of left(row, p) right(column, p).
+  template <bool is_minus>
+  __attribute__((always_inline)) void Accumulate(Columns left, Columns right, int begin, int end) {
+    for (int p = begin; p < end; ++p) {
+      const double* rows = left.at + p * left.stride;
+      const double* columns = right.at + p * right.stride;
+      for (int i = 0; i < count; ++i) {
+        const Pack value = Load(rows + 4 * i);
+        for (int c = 0; c < 4; ++c) {
+          if constexpr (is_minus) {
+            sum[i][c] -= value * columns[c];
+          } else {
+            sum[i][c] += value * columns[c];
+          }
+        }
+      }
+    }
+  }
+};
+
+/// Calls visit(tile size, row) for tiles that cover rows [begin, end), the largest first.
+template <typename Visit>
+inline __attribute__((always_inline)) void ForTiles(int begin, int end, Visit&& visit) {
+  int row = begin;
+  for (; end - row >= 12; row += 12) visit(Tile<3>{}, row);
+  if (end - row == 8) {
+    visit(Tile<2>{}, row);
+  } else if (end - row == 4) {
+    visit(Tile<1>{}, row);
+  }
+}
+
+}  // namespace
+}  // namespace sidestep::mpc::structured
