@@ -92,8 +92,9 @@ TEST_F(CheckScenarioTest, Mpc) {
       ErrorOfEdit("knots: 12", "backend: ipot"),
       "a.yaml:10:31: error: control.mpc.backend = 'ipot' is not known; did you mean 'ipopt'?");
   EXPECT_EQ(
-      ErrorOfEdit("knots: 12", "backend: structured"),
-      "a.yaml:10:31: error: control.mpc.backend = 'structured' is not known; known values: ipopt");
+      ErrorOfEdit("knots: 12", "backend: simplex"),
+      "a.yaml:10:31: error: control.mpc.backend = 'simplex' is not known; known values: ipopt, "
+      "structured");
   EXPECT_EQ(ErrorOfEdit("[-0.1, -0.2, 0]", "[-0.1, 0.2, 0]"),
             "a.yaml:10:67: error: control.mpc.box_lower_m.1 = 0.2 is above box_upper_m.1 = 0.1");
   EXPECT_EQ(ErrorOfEdit("box_lower_m: [-0.1, -0.2, 0]", "box_upper_m: [0.1, 0.1, -0.1]"),

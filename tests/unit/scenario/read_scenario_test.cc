@@ -114,7 +114,7 @@ TEST_F(ReadScenarioTest, Robot) {
             "did you mean 'mini'?");
   EXPECT_EQ(ErrorOfEdit("robot: mini", "robot: icub3"),
             "a.yaml:3:8: error: robot = 'icub3' is neither a robot that ships nor a robot.yaml; "
-            "robots that ship: mini, point, walker");
+            "robots that ship: mini, mini_urdf, point, walker");
   EXPECT_EQ(ErrorOfEdit("robot: mini", "robot: [mini]"),
             "a.yaml:3:8: error: robot must be text, not a list");
   folder_.Write("broken.yaml", "sidestep_robot: 1\nname: 1\n");
@@ -123,9 +123,14 @@ TEST_F(ReadScenarioTest, Robot) {
 }
 
 TEST_F(ReadScenarioTest, Fields) {
-  EXPECT_EQ(
-      ErrorOfEdit("  mode: torque", "  mode: position"),
-      "a.yaml:8:9: error: control.mode = 'position' is not known; known values: torque, passive");
+  EXPECT_EQ(ErrorOfEdit("  mode: torque", "  mode: velocity"),
+            "a.yaml:8:9: error: control.mode = 'velocity' is not known; known values: torque, "
+            "position, passive");
+  EXPECT_EQ(ErrorOfEdit("  mode: torque", "  external_wrench: felt"),
+            "a.yaml:8:20: error: control.external_wrench = 'felt' is not known; known values: "
+            "unknown, estimated, known");
+  EXPECT_EQ(ErrorOfEdit("{friction: 0.9}", "{mass_scale: 2.1}"),
+            "a.yaml:15:21: error: world.mass_scale = 2.1 violates 0.5 <= mass_scale <= 2");
   EXPECT_EQ(ErrorOfEdit("  mode: torque", "  mod: torque"),
             "a.yaml:8:3: error: control.mod is not a known key; did you mean 'mode'?");
   EXPECT_EQ(ErrorOfEdit("knots: 12", "knots: 1"),
