@@ -27,7 +27,8 @@ class CentroidalSolver {
   virtual const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) = 0;
 };
 
-/// Makes the back end called `name`: "ipopt" or "structured". Throws ContractViolation for any other name.
+/// Makes the back end called `name`: "ipopt" or "structured". Throws ContractViolation for any
+/// other name.
 std::unique_ptr<CentroidalSolver> MakeSolver(const std::string& name, const SolverOptions& options);
 
 }  // namespace sidestep::mpc
