@@ -7,8 +7,15 @@
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
 
-constexpr double kAcceptable = 1e-6;  // As Ipopt's acceptable_tol.
-constexpr double kColdBarrier = 0.1;  // As Ipopt's mu_init.
+constexpr double kAcceptable = 1e-6;   // As Ipopt's acceptable_tol.
+constexpr double kColdBarrier = 0.1;   // As Ipopt's mu_init.
+constexpr double kSaddleShare = 1e-3;  // Of the optimality error; tuned on random problems.
+// A guess's barrier: in proportion to how far it is from optimal, within limits; tuned on
+// sequences of closed-loop problems.
+constexpr double kWarmShare = 4e-4;
+constexpr double kLeastWarmBarrier = 1e-3;
+constexpr double kLargestWarmBarrier = 3e-2;
+constexpr double kPush = 1e-2;        // m/s^2 or m: a start's distance from its bounds.
 constexpr double kLeastSlack = 1e-8;  // m/s^2, after a recovery.
 constexpr int kMaxRecoveries = 8;
 constexpr int kMaxAdaptive = 60;  // Iterations before the barrier falls monotonically.
@@ -30,6 +37,7 @@ class Minimizer {
   bool Recover();
   bool IsAcceptable(double step, double slope, double infeasibility, double value);
   void ResetFilter();
+  void Start();
   void Accept(const StepLimits& step);
   double Value(const Evaluation& at) const { return at.cost - barrier_ * at.log_sum; }
 
@@ -115,6 +123,8 @@ void Minimizer::Correct() {
   const double then = AverageProduct(problem_, work_.point, work_.direction, affine);
   const double ratio = now > 0.0 ? then / now : 0.0;
   barrier_ = Max(settings_.tolerance / 10.0, now * ratio * ratio * ratio);
+  // Along directions of negative curvature the way is long: keep away from the bounds.
+  if (shift_ > 0.0) barrier_ = Max(barrier_, kSaddleShare * KktError(now));
   fraction_ = Max(0.99, 1.0 - barrier_);
   ResetFilter();
   BuildCorrection(problem_, work_.point, work_.direction, barrier_, affine.primal * affine.dual,
@@ -190,14 +200,23 @@ bool Minimizer::Recover() {
   return IsFinite(work_.now.cost) && IsFinite(work_.linear.dual);
 }
 
-Summary Minimizer::Run() {
-  Summary summary;
-  barrier_ = settings_.barrier;
-  is_adaptive_ = settings_.is_adaptive;
-  fraction_ = Max(0.99, 1.0 - barrier_);
-  StartInside(problem_, settings_.push, barrier_, work_.point);
+void Minimizer::Start() {
+  barrier_ = settings_.is_warm ? kLeastWarmBarrier : kColdBarrier;
+  StartInside(problem_, kPush, barrier_, work_.point);
   Evaluate(problem_, work_.point, &work_.now);
   Linearize(problem_, work_.point, &work_.linear);
+  if (settings_.is_warm) {
+    barrier_ = Max(barrier_, Min(kLargestWarmBarrier, kWarmShare * work_.linear.dual));
+    StartInside(problem_, kPush, barrier_, work_.point);
+    Linearize(problem_, work_.point, &work_.linear);
+  }
+  fraction_ = Max(0.99, 1.0 - barrier_);
+}
+
+Summary Minimizer::Run() {
+  Summary summary;
+  is_adaptive_ = settings_.is_adaptive;
+  Start();
   first_infeasibility_ = work_.now.infeasibility;
   ResetFilter();
   for (;; ++summary.iterations) {

@@ -15,8 +15,7 @@ enum class Outcome { kSolved, kAcceptable, kIterationLimit, kStuck };
 struct Settings {
   double tolerance{1e-8};
   int max_iterations{200};
-  double barrier{0.1};     ///< To start with.
-  double push{1e-2};       ///< Least distance from a bound at the start.
+  bool is_warm{false};     ///< The start is a guess, not a cold start.
   bool is_adaptive{true};  ///< Predictor and corrector instead of a monotone barrier.
   bool is_exact{true};     ///< Second derivatives of the dynamics included.
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "controller/mpc/centroidal_nlp.h"
 #include "controller/mpc/centroidal_solver.h"
@@ -15,8 +16,9 @@ namespace {
 
 constexpr double kCostTolerance = 1e-6;       // Relative; files carry ten digits.
 constexpr double kComTolerance_m = 1e-4;      // Ten times what the files' makers ask for.
-constexpr double kFootTolerance_m = 2e-4;     // Ten times what the files' makers ask for.
-constexpr double kForceTolerance = 1e-3;      // Of body weight.
+constexpr double kFootTolerance_m = 1e-4;     // Five times what the files' makers ask for.
+constexpr double kForceTolerance = 1e-4;      // Of body weight.
+constexpr double kKktTolerance = 1e-6;        // Scaled as Ipopt scales.
 constexpr double kViolationTolerance = 1e-6;  // SI.
 constexpr double kStandardGravity_mps2 = 9.80665;
 
@@ -46,6 +48,17 @@ std::string CaseName(const testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
+/// A back end and a file.
+using Case = std::tuple<std::string, std::string>;
+
+std::string PairName(const testing::TestParamInfo<Case>& info) {
+  std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+const auto kBackEnds = testing::Values("ipopt", "structured");
+
 void ExpectSameMotion(const CentroidalOcp& ocp, const MpcSolution& solution,
                       const MpcSolution& expected) {
   EXPECT_LT((solution.p_WC - expected.p_WC).cwiseAbs().maxCoeff(), kComTolerance_m);
@@ -63,19 +76,21 @@ void ExpectSameMotion(const CentroidalOcp& ocp, const MpcSolution& solution,
   }
 }
 
-class ReferenceProblemTest : public testing::TestWithParam<std::string> {};
+class ReferenceProblemTest : public testing::TestWithParam<Case> {};
 
 TEST_P(ReferenceProblemTest, ColdStartReachesTheReferenceSolution) {
-  const nlohmann::json json = ReferenceJson(GetParam());
+  const auto [back_end, file] = GetParam();
+  const nlohmann::json json = ReferenceJson(file);
   const CentroidalOcp ocp = OcpFromJson(json);
   const MpcSolution expected = SolutionFromJson(ocp, json["solution"]);
-  const auto solver = MakeSolver("ipopt", {});
+  const auto solver = MakeSolver(back_end, {});
   const MpcSolution& solution = solver->Solve(ocp, nullptr);
   ASSERT_STREQ(ToString(solution.status), ToString(expected.status));
   if (expected.status == SolveStatus::kInfeasible) {
     return;
   }
   EXPECT_LT(solution.constraint_violation, kViolationTolerance);
+  EXPECT_LE(solution.kkt_error, kKktTolerance);
   EXPECT_LE(solution.cost, expected.cost + kCostTolerance * expected.cost);
   if (solution.cost > expected.cost - kCostTolerance * expected.cost) {
     ExpectSameMotion(ocp, solution, expected);
@@ -102,32 +117,36 @@ TEST_P(SolvedReferenceProblemTest, TheReferenceSolutionIsFeasibleAndCostsWhatItS
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ReferenceProblemTest,
-                         testing::ValuesIn(FilesOf(ReferenceFolder(), "")), CaseName);
+                         testing::Combine(kBackEnds,
+                                          testing::ValuesIn(FilesOf(ReferenceFolder(), ""))),
+                         PairName);
 
 INSTANTIATE_TEST_SUITE_P(Files, SolvedReferenceProblemTest, testing::ValuesIn(SolvedFiles()),
                          CaseName);
 
-class DegenerateProblemTest : public testing::TestWithParam<std::string> {};
+class DegenerateProblemTest : public testing::TestWithParam<Case> {};
 
 TEST_P(DegenerateProblemTest, CostAndComAgreeWhereTheOptimumIsNotUnique) {
-  const nlohmann::json json = ReferenceJson(GetParam());
+  const auto [back_end, file] = GetParam();
+  const nlohmann::json json = ReferenceJson(file);
   CentroidalOcp ocp = OcpFromJson(json);
   // Solved before the term existed that makes the optimum unique.
   ocp.weights.new_contact_force.setZero();
   const MpcSolution expected = SolutionFromJson(ocp, json["solution"]);
   SolverOptions options;
   options.max_iterations = 1000;  // The free force is driven far out.
-  const auto solver = MakeSolver("ipopt", options);
+  const auto solver = MakeSolver(back_end, options);
   const MpcSolution& solution = solver->Solve(ocp, nullptr);
   EXPECT_STREQ(ToString(solution.status), "solved");
   EXPECT_NEAR(solution.cost, expected.cost, kCostTolerance * expected.cost);
   EXPECT_LT((solution.p_WC - expected.p_WC).cwiseAbs().maxCoeff(), kComTolerance_m);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, DegenerateProblemTest,
-                         testing::ValuesIn(FilesOf(ReferenceFolder() / "degenerate",
-                                                   "degenerate/")),
-                         CaseName);
+INSTANTIATE_TEST_SUITE_P(
+    Files, DegenerateProblemTest,
+    testing::Combine(kBackEnds,
+                     testing::ValuesIn(FilesOf(ReferenceFolder() / "degenerate", "degenerate/"))),
+    PairName);
 
 TEST(ReferenceProblemsTest, TheFolderHoldsTheProblemsThatTheseTestsAreWorth) {
   EXPECT_GE(FilesOf(ReferenceFolder(), "").size(), 24U);

@@ -2,6 +2,8 @@
 // What any solver of the problem must obey, whatever the numbers: mirrors, masses, warm starts.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "controller/mpc/centroidal_solver.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/unit/mpc/mpc_test_support.h"
@@ -87,25 +89,29 @@ void ExpectCorresponds(const CentroidalOcp& ocp, const MpcSolution& a, const Mpc
   }
 }
 
-MpcSolution ColdSolve(const CentroidalOcp& ocp) {
-  return MakeSolver("ipopt", {})->Solve(ocp, nullptr);
-}
-
-class SolverLawsTest : public testing::TestWithParam<const char*> {};
+/// A back end and a problem.
+class SolverLawsTest : public testing::TestWithParam<std::tuple<const char*, const char*>> {
+ protected:
+  static std::unique_ptr<CentroidalSolver> Solver() {
+    return MakeSolver(std::get<0>(GetParam()), {});
+  }
+  static CentroidalOcp Problem() { return ReferenceProblem(std::get<1>(GetParam())); }
+  static MpcSolution ColdSolve(const CentroidalOcp& ocp) { return Solver()->Solve(ocp, nullptr); }
+};
 
 TEST_P(SolverLawsTest, MirroredProblemGivesMirroredSolution) {
-  const CentroidalOcp ocp = ReferenceProblem(GetParam());
+  const CentroidalOcp ocp = Problem();
   ExpectCorresponds(ocp, ColdSolve(ocp), ColdSolve(Mirrored(ocp)), kPolar, 1.0);
 }
 
 TEST_P(SolverLawsTest, DoublingMassAndForcesChangesNoMotion) {
-  const CentroidalOcp ocp = ReferenceProblem(GetParam());
+  const CentroidalOcp ocp = Problem();
   ExpectCorresponds(ocp, ColdSolve(ocp), ColdSolve(Scaled(ocp, 2.0)), Eigen::Vector3d::Ones(), 2.0);
 }
 
 TEST_P(SolverLawsTest, SolvingTwiceGivesTheSameBits) {
-  const CentroidalOcp ocp = ReferenceProblem(GetParam());
-  const auto solver = MakeSolver("ipopt", {});
+  const CentroidalOcp ocp = Problem();
+  const auto solver = Solver();
   const MpcSolution first = solver->Solve(ocp, nullptr);
   solver->Solve(ocp, &first);  // A warm start in between must leave no trace.
   const MpcSolution& again = solver->Solve(ocp, nullptr);
@@ -115,15 +121,21 @@ TEST_P(SolverLawsTest, SolvingTwiceGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, SolverLawsTest,
-                         testing::Values("icub_yawed_step_up_tilted",
-                                         "icub_fast_velocity_error_previous_force",
-                                         "icub_forward_40N_double_support",
-                                         "biped_walk_single_support_left", "biped_walk_to_run",
-                                         "hopper_flight_first_travelling"),
-                         [](const auto& at) { return std::string(at.param); });
+                         testing::Combine(testing::Values("ipopt", "structured"),
+                                          testing::Values("icub_yawed_step_up_tilted",
+                                                          "icub_fast_velocity_error_previous_force",
+                                                          "icub_forward_40N_double_support",
+                                                          "biped_walk_single_support_left",
+                                                          "biped_walk_to_run",
+                                                          "hopper_flight_first_travelling")),
+                         [](const auto& at) {
+                           return std::string(std::get<0>(at.param)) + "_" + std::get<1>(at.param);
+                         });
 
-TEST(WarmStartTest, ShiftedSolutionReachesTheSameOptimumInFewerIterations) {
-  const auto solver = MakeSolver("ipopt", {});
+class WarmStartTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(WarmStartTest, ShiftedSolutionReachesTheSameOptimumInFewerIterations) {
+  const auto solver = MakeSolver(GetParam(), {});
   int cold_iterations = 0;
   int warm_iterations = 0;
   for (const char* name :
@@ -149,9 +161,9 @@ TEST(WarmStartTest, ShiftedSolutionReachesTheSameOptimumInFewerIterations) {
   EXPECT_LT(warm_iterations, cold_iterations);
 }
 
-TEST(WarmStartTest, PushedHopperFollowedOverASecondNeverEndsInAWorseMinimumThanACold) {
+TEST_P(WarmStartTest, PushedHopperFollowedOverASecondNeverEndsInAWorseMinimumThanACold) {
   // The foot that has just landed must not stay unloaded at the friction cone's apex.
-  const auto solver = MakeSolver("ipopt", {});
+  const auto solver = MakeSolver(GetParam(), {});
   CentroidalOcp ocp = ReferenceProblem("hopper_pushed_5N_lateral");
   MpcSolution solution = solver->Solve(ocp, nullptr);
   for (int step = 0; step < 10; ++step) {
@@ -168,6 +180,9 @@ TEST(WarmStartTest, PushedHopperFollowedOverASecondNeverEndsInAWorseMinimumThanA
     solution = warm;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(BackEnds, WarmStartTest, testing::Values("ipopt", "structured"),
+                         [](const auto& at) { return std::string(at.param); });
 
 }  // namespace
 }  // namespace sidestep::mpc

@@ -25,11 +25,14 @@ CentroidalOcp LandingHopper() {
   return ocp;
 }
 
-MpcSolution ColdSolve(const CentroidalOcp& ocp, const SolverOptions& options = {}) {
-  return MakeSolver("ipopt", options)->Solve(ocp, nullptr);
-}
+class SolverStatusTest : public testing::TestWithParam<const char*> {
+ protected:
+  static MpcSolution ColdSolve(const CentroidalOcp& ocp, const SolverOptions& options = {}) {
+    return MakeSolver(GetParam(), options)->Solve(ocp, nullptr);
+  }
+};
 
-TEST(SolverStatusTest, EveryKindOfNonFiniteDataIsANumericalErrorAtOnce) {
+TEST_P(SolverStatusTest, EveryKindOfNonFiniteDataIsANumericalErrorAtOnce) {
   const std::vector<void (*)(CentroidalOcp&, double)> breakers = {
       [](CentroidalOcp& ocp, double bad) { ocp.mass_kg = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.step_s = bad; },
@@ -68,7 +71,7 @@ TEST(SolverStatusTest, EveryKindOfNonFiniteDataIsANumericalErrorAtOnce) {
   EXPECT_EQ(ColdSolve(LandingHopper()).status, SolveStatus::kSolved) << "broken before the break";
 }
 
-TEST(SolverStatusTest, InvertedBoxIsInfeasibleOnlyIfThePhaseTouchesTheHorizon) {
+TEST_P(SolverStatusTest, InvertedBoxIsInfeasibleOnlyIfThePhaseTouchesTheHorizon) {
   CentroidalOcp ocp = LandingHopper();
   ocp.contacts[0].phases[0].box_lower_m.x() = 0.2;
   EXPECT_EQ(ColdSolve(ocp).status, SolveStatus::kInfeasible);
@@ -78,7 +81,7 @@ TEST(SolverStatusTest, InvertedBoxIsInfeasibleOnlyIfThePhaseTouchesTheHorizon) {
   EXPECT_EQ(ColdSolve(ocp).status, SolveStatus::kSolved);
 }
 
-TEST(SolverStatusTest, BoxOfZeroSizeHoldsTheFootAndAThinOneNearlySo) {
+TEST_P(SolverStatusTest, BoxOfZeroSizeHoldsTheFootAndAThinOneNearlySo) {
   for (const double half_m : {0.0, 1e-12, 1e-9}) {
     CentroidalOcp ocp = LandingHopper();
     ocp.contacts[0].phases[0].box_lower_m.setConstant(0.05 - half_m);
@@ -90,7 +93,7 @@ TEST(SolverStatusTest, BoxOfZeroSizeHoldsTheFootAndAThinOneNearlySo) {
   }
 }
 
-TEST(SolverStatusTest, LowerCornerOfTheBoxIsWhereAFootPulledBeyondItEnds) {
+TEST_P(SolverStatusTest, LowerCornerOfTheBoxIsWhereAFootPulledBeyondItEnds) {
   // Nothing but the position cost acts on a foot at the horizon's end; the box excludes its
   // nominal place by 0.05 m along its own x, which is world y.
   CentroidalOcp ocp = FloatingProblem(3);
@@ -104,7 +107,7 @@ TEST(SolverStatusTest, LowerCornerOfTheBoxIsWhereAFootPulledBeyondItEnds) {
   EXPECT_LT((solution.contacts[0].phase_p_WF[0] - Eigen::Vector3d(1.0, 1.05, 0.0)).norm(), 1e-6);
 }
 
-TEST(SolverStatusTest, FlightOverTheWholeHorizonIsSolvedBallistically) {
+TEST_P(SolverStatusTest, FlightOverTheWholeHorizonIsSolvedBallistically) {
   CentroidalOcp ocp = FloatingProblem(4);
   ocp.initial_linear_momentum << 2.0, 0.0, 0.0;  // 1 m/s.
   ocp.external_force_N.row(1).setConstant(4.0);  // 2 m/s^2.
@@ -123,7 +126,7 @@ TEST(SolverStatusTest, FlightOverTheWholeHorizonIsSolvedBallistically) {
   }
 }
 
-TEST(SolverStatusTest, IterationLimitKeepsTheIterateAndSaysSo) {
+TEST_P(SolverStatusTest, IterationLimitKeepsTheIterateAndSaysSo) {
   SolverOptions options;
   options.max_iterations = 2;
   const MpcSolution solution = ColdSolve(ReferenceProblem("icub_forward_40N_just_landed"), options);
@@ -133,9 +136,9 @@ TEST(SolverStatusTest, IterationLimitKeepsTheIterateAndSaysSo) {
   EXPECT_GT(solution.constraint_violation + solution.kkt_error, 1e-8);
 }
 
-TEST(SolverStatusTest, ANonFiniteGuessIsIgnored) {
+TEST_P(SolverStatusTest, ANonFiniteGuessIsIgnored) {
   const CentroidalOcp ocp = LandingHopper();
-  const auto solver = MakeSolver("ipopt", {});
+  const auto solver = MakeSolver(GetParam(), {});
   MpcSolution guess = solver->Solve(ocp, nullptr);
   const double cost = guess.cost;
   guess.contacts[0].force_N[3](0, 0) = kNan;
@@ -144,9 +147,9 @@ TEST(SolverStatusTest, ANonFiniteGuessIsIgnored) {
   EXPECT_NEAR(solution.cost, cost, 1e-9 * cost);
 }
 
-TEST(SolverStatusTest, AGuessMayBeTheSolversOwnLastAnswer) {
+TEST_P(SolverStatusTest, AGuessMayBeTheSolversOwnLastAnswer) {
   const CentroidalOcp ocp = LandingHopper();
-  const auto solver = MakeSolver("ipopt", {});
+  const auto solver = MakeSolver(GetParam(), {});
   const MpcSolution& first = solver->Solve(ocp, nullptr);
   const double cost = first.cost;
   const MpcSolution& second = solver->Solve(ocp, &first);
@@ -154,9 +157,9 @@ TEST(SolverStatusTest, AGuessMayBeTheSolversOwnLastAnswer) {
   EXPECT_NEAR(second.cost, cost, 1e-6 * cost);
 }
 
-TEST(SolverStatusTest, BrokenContractsThrow) {
+TEST_P(SolverStatusTest, BrokenContractsThrow) {
   const CentroidalOcp ocp = LandingHopper();
-  const auto solver = MakeSolver("ipopt", {});
+  const auto solver = MakeSolver(GetParam(), {});
   const MpcSolution of_other_shapes = ColdSolve(FloatingProblem(3));
   EXPECT_THROW(solver->Solve(ocp, &of_other_shapes), ContractViolation);
   CentroidalOcp broken = ocp;
@@ -165,7 +168,10 @@ TEST(SolverStatusTest, BrokenContractsThrow) {
   EXPECT_THROW(MakeSolver("no_such_back_end", {}), ContractViolation);
 }
 
-TEST(SolverStatusTest, StatusesHaveTheirOwnNames) {
+INSTANTIATE_TEST_SUITE_P(BackEnds, SolverStatusTest, testing::Values("ipopt", "structured"),
+                         [](const auto& at) { return std::string(at.param); });
+
+TEST(SolveStatusTest, StatusesHaveTheirOwnNames) {
   EXPECT_STREQ(ToString(SolveStatus::kNotSolved), "not_solved");
   EXPECT_STREQ(ToString(SolveStatus::kSolved), "solved");
   EXPECT_STREQ(ToString(SolveStatus::kAcceptable), "acceptable");

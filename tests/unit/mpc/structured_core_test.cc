@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of the structured back end on their own: the Newton system, force limits, both
+// instruction sets.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "controller/mpc/centroidal_nlp.h"
+#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/structured/filter.h"
+#include "controller/mpc/structured/force_limits.h"
+#include "controller/mpc/structured/minimize.h"
+#include "controller/mpc/structured/structured_memory.h"
+#include "controller/mpc/structured/structured_problem.h"
+#include "tests/unit/mpc/random_ocp.h"
+
+namespace sidestep::mpc::structured {
+namespace {
+
+/// A laid-out problem at a random point, ready for a Newton step.
+struct RandomPoint {
+  explicit RandomPoint(const CentroidalOcp& problem) : ocp(problem) {
+    laid_out.Build(ocp);
+    memory.Take(laid_out.view(), &work);
+    const ProblemView& view = laid_out.view();
+    Numbers numbers(3);
+    for (int i = 0; i < view.at.size; ++i) work.point[i] = numbers.Next();
+    for (int i = view.at.s; i < view.at.size; ++i) work.point[i] = 1.5 + numbers.Next();
+    for (int i = 0; i < 3 * view.num_locations; ++i) {
+      work.point[view.at.d + i] = 0.5 * (view.box_lower[i] + view.box_upper[i]);
+    }
+    baseline::Evaluate(view, work.point, &work.now);
+    baseline::Linearize(view, work.point, &work.linear);
+    baseline::BuildTerms(view, work.point, work.now, work.linear, 0.1, &work.newton);
+  }
+
+  CentroidalOcp ocp;
+  StructuredProblem laid_out;
+  Memory memory;
+  Workspace work;
+};
+
+/// The Newton system as one dense matrix over [x_1.. x_N, u, d, multipliers], from finite
+/// differences of the core's own functions: nothing of the recursion is shared.
+Eigen::VectorXd DenseDirection(RandomPoint* at) {
+  const ProblemView& view = at->laid_out.view();
+  const int num_primal = view.at.s - 9, num_rows = 9 * view.knots;
+  Eigen::MatrixXd J(num_rows, num_primal), H = Eigen::MatrixXd::Zero(num_primal, num_primal);
+  const Eigen::Map<const Eigen::VectorXd> gap(at->work.now.gap, num_rows);
+  const Eigen::VectorXd gap_here = gap;
+  const Eigen::Map<const Eigen::VectorXd> costate(at->work.linear.costate + 9, num_rows);
+  const Eigen::VectorXd multipliers = costate;
+  // The gap is bilinear: central differences with a step of one are exact.
+  const auto gap_at = [&](int i, double step_i, int j, double step_j) -> Eigen::VectorXd {
+    double* point = at->work.point + 9;
+    const double kept_i = point[i], kept_j = point[j];
+    point[i] += step_i;
+    point[j] += step_j;
+    baseline::Evaluate(view, at->work.point, &at->work.next);
+    point[j] = kept_j;
+    point[i] = kept_i;
+    return Eigen::Map<const Eigen::VectorXd>(at->work.next.gap, num_rows);
+  };
+  const auto gradient_at = [&](int i, double step) -> Eigen::VectorXd {
+    double* point = at->work.point + 9;
+    const double kept = point[i];
+    point[i] += step;
+    baseline::Linearize(view, at->work.point, &at->work.linear);
+    point[i] = kept;
+    return Eigen::Map<const Eigen::VectorXd>(at->work.linear.gradient + 9, num_primal);
+  };
+  for (int i = 0; i < num_primal; ++i) {
+    J.col(i) = 0.5 * (gap_at(i, 1.0, i, 0.0) - gap_at(i, -1.0, i, 0.0));
+    H.col(i) = 0.5 * (gradient_at(i, 1.0) - gradient_at(i, -1.0));
+  }
+  for (int i = 0; i < num_primal; ++i) {
+    for (int j = 0; j < num_primal; ++j) {
+      if (i == j) continue;
+      const Eigen::VectorXd mixed =
+          gap_at(i, 1.0, j, 1.0) - gap_at(i, 1.0, j, 0.0) - gap_at(i, 0.0, j, 1.0) + gap_here;
+      H(i, j) += multipliers.dot(mixed);
+    }
+  }
+  for (int k = 0; k < view.knots; ++k) {  // The friction rows' barrier.
+    const Stage& stage = view.stages[k];
+    const int n = stage.num_slots, first = view.at.u - 9 + 3 * stage.first_slot;
+    for (int j = 0; j < n; ++j) {
+      for (int r = 0; r < view.num_faces; ++r) {
+        const int row = view.num_faces * stage.first_slot + r * n + j;
+        const double weight = at->work.point[view.at.z + row] / at->work.point[view.at.s + row];
+        for (int a = 0; a < 3; ++a) {
+          for (int b = 0; b < 3; ++b) {
+            const double* face = view.face + 3 * view.num_faces * stage.first_slot + 3 * r * n + j;
+            H(first + a * n + j, first + b * n + j) += weight * face[a * n] * face[b * n];
+          }
+        }
+      }
+    }
+  }
+  for (int i = 0; i < 3 * view.num_locations; ++i) {
+    const int at_d = view.at.d - 9 + i;
+    if (view.is_free[i] != 0.0) {
+      H(at_d, at_d) += at->work.newton.box_curvature[i];
+      continue;
+    }
+    H.row(at_d).setZero();
+    H.col(at_d).setZero();
+    J.col(at_d).setZero();
+    H(at_d, at_d) = 1.0;
+  }
+  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(num_primal + num_rows, num_primal + num_rows);
+  kkt << H, J.transpose(), J, Eigen::MatrixXd::Zero(num_rows, num_rows);
+  Eigen::VectorXd right(num_primal + num_rows);
+  right.head(num_primal) =
+      -Eigen::Map<const Eigen::VectorXd>(at->work.newton.slope + 9, num_primal);
+  right.tail(num_rows) = -gap_here;
+  for (int i = 0; i < 3 * view.num_locations; ++i) {
+    if (view.is_free[i] == 0.0) right(view.at.d - 9 + i) = 0.0;
+  }
+  return Eigen::VectorXd(kkt.partialPivLu().solve(right)).head(num_primal);
+}
+
+/// Two feet of which one lands and one leaves, boxes with and without size, forces before.
+CentroidalOcp SmallProblem() {
+  CentroidalOcp ocp = FloatingProblem(4);
+  OcpContact left = Foot("left", 4), right = Foot("right", 3);
+  right.vertices_m.row(0) << 0.1, 0.0, -0.1;
+  left.phases = {FixedPhase(0, 3, {0.0, 0.1, 0.0})};
+  left.has_previous_force = true;
+  left.previous_force_N = Eigen::Matrix3Xd::Ones(3, 4);
+  right.phases = {FreePhase(1, 3, {0.1, -0.1, 0.0}, {0.1, 0.1, 0.0}),
+                  FreePhase(3, 8, {0.2, -0.1, 0.0}, {0.1, 0.2, 0.3})};
+  ocp.contacts = {left, right};
+  Numbers numbers(5);
+  Randomise(numbers, &ocp);
+  // Large enough weights keep the reduced Hessian positive definite.
+  ocp.weights.force_symmetry.setConstant(300.0);
+  ocp.weights.contact_position.setConstant(300.0);
+  ocp.weights.com.setConstant(100.0);
+  return ocp;
+}
+
+TEST(StructuredCoreTest, TheRecursionSolvesTheWholeNewtonSystem) {
+  RandomPoint at(SmallProblem());
+  const ProblemView& view = at.laid_out.view();
+  // Solve with the multipliers at the point, then the same as one dense system.
+  ASSERT_TRUE(baseline::Factorize(view, at.work.now, at.work.linear, at.work.newton));
+  baseline::SolveForward(view, at.work.newton, false, at.work.direction);
+  const Eigen::VectorXd ours =
+      Eigen::Map<const Eigen::VectorXd>(at.work.direction + 9, view.at.s - 9);
+  const Eigen::VectorXd expected = DenseDirection(&at);
+  EXPECT_LT((ours - expected).cwiseAbs().maxCoeff(), 1e-8 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(StructuredCoreTest, ChangingTheSlopesEqualsSolvingAnew) {
+  RandomPoint at(SmallProblem());
+  const ProblemView& view = at.laid_out.view();
+  const auto size = static_cast<std::size_t>(view.at.s);
+  ASSERT_TRUE(baseline::Factorize(view, at.work.now, at.work.linear, at.work.newton));
+  Numbers numbers(11);
+  for (std::size_t i = 0; i < size; ++i) at.work.change[i] = numbers.Next();
+  for (int i = 0; i < 3 * view.num_locations; ++i) {
+    if (view.is_free[i] == 0.0) at.work.change[view.at.d + i] = 0.0;
+  }
+  baseline::ChangeSlope(view, at.work.newton, at.work.change);
+  baseline::SolveForward(view, at.work.newton, true, at.work.direction);
+  const std::vector<double> changed(at.work.direction, at.work.direction + size);
+  for (int i = view.at.u; i < view.at.s; ++i) at.work.newton.slope[i] += at.work.change[i];
+  ASSERT_TRUE(baseline::Factorize(view, at.work.now, at.work.linear, at.work.newton));
+  baseline::SolveForward(view, at.work.newton, false, at.work.direction);
+  for (std::size_t i = 9; i < size; ++i) {
+    EXPECT_NEAR(changed[i], at.work.direction[i], 1e-9 * (1.0 + std::abs(changed[i]))) << i;
+  }
+}
+
+TEST(StructuredCoreTest, NegativeCurvatureIsNoticed) {
+  CentroidalOcp ocp = SmallProblem();
+  for (Eigen::Vector3d* weight : {&ocp.weights.force_symmetry, &ocp.weights.force_rate}) {
+    weight->setConstant(-1e3);
+  }
+  RandomPoint at(ocp);
+  EXPECT_FALSE(
+      baseline::Factorize(at.laid_out.view(), at.work.now, at.work.linear, at.work.newton));
+}
+
+TEST(StructuredCoreTest, BothInstructionSetsReachTheSameOptimum) {
+  if (!HasFastInstructions()) GTEST_SKIP() << "this processor has one only";
+  const CentroidalOcp ocp = ReferenceProblem("icub_yawed_step_up_tilted");
+  const MpcSolution start = MakeSolver("structured", {})->Solve(ocp, nullptr);
+  StructuredProblem laid_out;
+  laid_out.Build(ocp);
+  Memory memory;
+  Workspace work;
+  memory.Take(laid_out.view(), &work);
+  Settings settings;
+  settings.is_warm = true;
+  laid_out.Pack(ocp, start, work.point);
+  const Summary fast = Minimize(laid_out.view(), settings, &work);
+  laid_out.Pack(ocp, start, work.point);
+  const Summary slow = baseline::Minimize(laid_out.view(), settings, &work);
+  EXPECT_EQ(fast.outcome, Outcome::kSolved);
+  EXPECT_EQ(slow.outcome, Outcome::kSolved);
+  EXPECT_NEAR(fast.cost, slow.cost, 1e-9 * slow.cost);
+}
+
+TEST(ForceLimitsTest, ConesBandsAndContradictions) {
+  Eigen::MatrixX3d A(6, 3);
+  A << 1, 1, -0.5, -1, 1, -0.5, -1, -1, -0.5, 1, -1, -0.5, 0, 0, -1, 0, 0, 1;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(6);
+  EXPECT_TRUE(HasFeasibleForce(A.topRows(4), b.head(4), 1e-9)) << "a cone's apex is inside";
+  b(4) = -80.0;  // At least 80 N.
+  b(5) = 100.0;  // At most 100 N.
+  EXPECT_TRUE(HasFeasibleForce(A, b, 1e-9));
+  b(5) = 80.0;
+  EXPECT_TRUE(HasFeasibleForce(A, b, 1e-9)) << "exactly 80 N";
+  b(5) = 79.9;
+  EXPECT_FALSE(HasFeasibleForce(A, b, 1e-9));
+  b << -1, -1, -1, -1, -80, 1e6;  // Inside the cone with a margin.
+  EXPECT_TRUE(HasFeasibleForce(A, b, 1e-9));
+  b << -200, 0, -200, 0, 0, 100;  // Two opposite faces that leave 400 N between them missing.
+  EXPECT_FALSE(HasFeasibleForce(A, b, 1e-9));
+  EXPECT_TRUE(HasFeasibleForce(Eigen::MatrixX3d(0, 3), Eigen::VectorXd(0), 1e-9));
+}
+
+TEST(FilterTest, RefusesWhatIsNoBetterInEitherMeasure) {
+  Filter filter;
+  filter.Reset(10.0);
+  EXPECT_FALSE(filter.Accepts(11.0, -1e9)) << "beyond the largest infeasibility";
+  filter.Add(1.0, 5.0);
+  EXPECT_FALSE(filter.Accepts(1.0, 5.0));
+  EXPECT_FALSE(filter.Accepts(2.0, 6.0));
+  EXPECT_TRUE(filter.Accepts(0.5, 6.0));
+  EXPECT_TRUE(filter.Accepts(2.0, 4.0));
+  filter.Add(0.5, 6.0);
+  EXPECT_FALSE(filter.Accepts(0.7, 7.0));
+  filter.Reset(10.0);
+  EXPECT_TRUE(filter.Accepts(2.0, 6.0));
+}
+
+}  // namespace
+}  // namespace sidestep::mpc::structured
