@@ -4,6 +4,8 @@
 // evaluating the problem. p50, p99 and max are wall time, what a deadline sees: run it on an idle
 // machine.
 //
+// The table that compares the back ends on many problems is mpc_table_bench.cc's.
+//
 // That share is 1 - iterations * (one evaluation of cost, gradient, constraints, Jacobian and
 // Hessian) / (time of a solve), both in CPU time so that other processes do not distort it: Ipopt's
 // own timing statistics are out of reach behind the solver interface, and what is not evaluation is
@@ -78,9 +80,10 @@ CentroidalOcp Perturbed(CentroidalOcp ocp) {
   return ocp;
 }
 
-void Solve(benchmark::State& state, const std::string& name, bool is_warm) {
+void Solve(benchmark::State& state, const std::string& back_end, const std::string& name,
+           bool is_warm) {
   const CentroidalOcp ocp = ReferenceProblem(name);
-  const auto solver = MakeSolver("ipopt", {});
+  const auto solver = MakeSolver(back_end, {});
   const MpcSolution guess = solver->Solve(Perturbed(ocp), nullptr);
   std::vector<double> times_ms;
   int iterations = 0;
@@ -104,9 +107,15 @@ void Solve(benchmark::State& state, const std::string& name, bool is_warm) {
   state.counters["not_evaluation"] = 1.0 - iterations * EvaluationTime_ms(ocp) / cpu_ms;
 }
 
-#define SIDESTEP_MPC_BENCH(name)                                                      \
-  BENCHMARK_CAPTURE(Solve, name##_cold, #name, false)->Unit(benchmark::kMillisecond); \
-  BENCHMARK_CAPTURE(Solve, name##_warm, #name, true)->Unit(benchmark::kMillisecond)
+#define SIDESTEP_MPC_BENCH(name)                                               \
+  BENCHMARK_CAPTURE(Solve, name##_ipopt_cold, "ipopt", #name, false)           \
+      ->Unit(benchmark::kMillisecond);                                         \
+  BENCHMARK_CAPTURE(Solve, name##_ipopt_warm, "ipopt", #name, true)            \
+      ->Unit(benchmark::kMillisecond);                                         \
+  BENCHMARK_CAPTURE(Solve, name##_structured_cold, "structured", #name, false) \
+      ->Unit(benchmark::kMillisecond);                                         \
+  BENCHMARK_CAPTURE(Solve, name##_structured_warm, "structured", #name, true)  \
+      ->Unit(benchmark::kMillisecond)
 
 SIDESTEP_MPC_BENCH(hopper_pushed_5N_lateral);
 SIDESTEP_MPC_BENCH(biped_walk_pushed_forward_5N);
