@@ -256,6 +256,16 @@ void CoupleToPreviousForces(const ProblemView& problem, const StageMatrix& matri
   }
 }
 
+// Zeroes the lower triangle from row `first` on: what SetCongruence() leaves.
+void ClearMatrix(const StageMatrix& matrix, int first) {
+  const int rows = matrix.stage.num_rows;
+  for (int column = 0; column < rows; ++column) {
+    const int begin = column > first ? column / 4 * 4 : first;
+    double* entries = matrix.Column(column);
+    for (int row = begin; row < rows; row += 4) Store(Pack{0.0, 0.0, 0.0, 0.0}, entries + row);
+  }
+}
+
 }  // namespace
 
 void AssembleStage(const ProblemView& problem, int k, const Evaluation& at,
@@ -263,8 +273,7 @@ void AssembleStage(const ProblemView& problem, int k, const Evaluation& at,
                    double* tail) {
   const Stage& stage = problem.stages[k];
   const StageMatrix matrix{stage, tail, stage.num_rows - stage.num_pivots};
-  Fill(stage.panel, stage.num_rows * stage.num_pivots, 0.0);
-  Fill(tail, matrix.kept * matrix.kept, 0.0);
+  ClearMatrix(matrix, k < problem.knots ? stage.num_active : 0);
   if (k < problem.knots) {
     const Stage& after = problem.stages[k + 1];
     const int stride = after.num_rows - after.num_pivots;

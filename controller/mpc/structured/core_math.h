@@ -8,6 +8,7 @@ namespace {
 
 inline double Max(double a, double b) { return a > b ? a : b; }
 inline double Min(double a, double b) { return a < b ? a : b; }
+inline int Min(int a, int b) { return a < b ? a : b; }
 inline double Abs(double a) { return __builtin_fabs(a); }
 inline double Sqrt(double a) { return __builtin_sqrt(a); }
 inline bool IsFinite(double a) { return __builtin_isfinite(a); }

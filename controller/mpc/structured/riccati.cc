@@ -7,31 +7,50 @@
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
 
-// out[c] = column c . vector over `count` rows, a multiple of four.
+// out[c] = column c . vector over `count` rows, a multiple of four. Two sums a column hide the
+// latency of the additions.
 template <int columns>
-void DotColumns(const double* matrix, int stride, const double* vector, int count, double* out) {
-  Pack sum[columns];
-  for (int c = 0; c < columns; ++c) sum[c] = Pack{0.0, 0.0, 0.0, 0.0};
-  for (int i = 0; i < count; i += 4) {
-    const Pack value = Load(vector + i);
-    for (int c = 0; c < columns; ++c) sum[c] += Load(matrix + c * stride + i) * value;
+inline void DotColumns(const double* matrix, int stride, const double* vector, int count,
+                       double* out) {
+  Pack even[columns], odd[columns];
+  for (int c = 0; c < columns; ++c) even[c] = odd[c] = Pack{0.0, 0.0, 0.0, 0.0};
+  int i = 0;
+  for (; i + 8 <= count; i += 8) {
+    const Pack first = Load(vector + i), second = Load(vector + i + 4);
+    for (int c = 0; c < columns; ++c) {
+      even[c] += Load(matrix + c * stride + i) * first;
+      odd[c] += Load(matrix + c * stride + i + 4) * second;
+    }
   }
-  for (int c = 0; c < columns; ++c) out[c] = (sum[c][0] + sum[c][2]) + (sum[c][1] + sum[c][3]);
+  if (i < count) {
+    const Pack first = Load(vector + i);
+    for (int c = 0; c < columns; ++c) even[c] += Load(matrix + c * stride + i) * first;
+  }
+  for (int c = 0; c < columns; ++c) {
+    const Pack sum = even[c] + odd[c];
+    out[c] = (sum[0] + sum[2]) + (sum[1] + sum[3]);
+  }
 }
 
 // The pivots' direction from the kept rows', four at a time from the last.
 void SolvePivots(const Stage& stage, const double* change, double* rows) {
   const int stride = stage.num_rows;
+  int end = stride;
   for (int j = stage.num_pivots - 4; j >= 0; j -= 4) {
+    while (end > stage.num_active && stage.first_pivot[end / 4 - 1] > j) end -= 4;  // Zeros.
     const double* head = stage.panel + j * stride + j;
     const double* inverse = stage.inverse_pivot + j;
     double sum[4];
-    DotColumns<4>(head + 4, stride, rows + j + 4, stride - j - 4, sum);
-    for (int c = 3; c >= 0; --c) {
-      if (change != nullptr) sum[c] += change[j + c];
-      for (int i = c + 1; i < 4; ++i) sum[c] += head[c * stride + i] * rows[j + i];
-      rows[j + c] = -inverse[c] * sum[c];
+    DotColumns<4>(head + 4, stride, rows + j + 4, end - j - 4, sum);
+    if (change != nullptr) {
+      for (int c = 0; c < 4; ++c) sum[c] += change[j + c];
     }
+    // In registers: loading what has just been stored in another width would stall.
+    const double x3 = -inverse[3] * sum[3];
+    const double x2 = -inverse[2] * (sum[2] + head[2 * stride + 3] * x3);
+    const double x1 = -inverse[1] * (sum[1] + head[stride + 2] * x2 + head[stride + 3] * x3);
+    const double x0 = -inverse[0] * (sum[0] + head[1] * x1 + head[2] * x2 + head[3] * x3);
+    Store(Pack{x0, x1, x2, x3}, rows + j);
   }
 }
 
@@ -90,19 +109,20 @@ void GatherSlopes(const ProblemView& problem, int k, const double* slope, const 
 // Solves for the pivots and takes them out of the kept rows.
 void EliminateSlopes(const Stage& stage, double* rows, double* change) {
   const int stride = stage.num_rows;
+  int end = stage.num_active;
   for (int j = 0; j < stage.num_pivots; j += 4) {
+    while (end < stride && stage.first_pivot[end / 4] <= j) end += 4;  // Zeros below.
     const double* head = stage.panel + j * stride + j;
     const double* inverse = stage.inverse_pivot + j;
-    double x[4];
-    for (int c = 0; c < 4; ++c) {
-      x[c] = rows[j + c];
-      for (int p = 0; p < c; ++p) x[c] -= head[p * stride + c] * x[p];
-      x[c] *= inverse[c];
-      change[j + c] = x[c];
-    }
-    for (int i = 4; i < stride - j; i += 4) {
-      const Pack left = Load(head + i) * x[0] + Load(head + stride + i) * x[1] +
-                        Load(head + 2 * stride + i) * x[2] + Load(head + 3 * stride + i) * x[3];
+    const double x0 = inverse[0] * rows[j];
+    const double x1 = inverse[1] * (rows[j + 1] - head[1] * x0);
+    const double x2 = inverse[2] * (rows[j + 2] - head[2] * x0 - head[stride + 2] * x1);
+    const double x3 = inverse[3] * (rows[j + 3] - head[3] * x0 - head[stride + 3] * x1 -
+                                    head[2 * stride + 3] * x2);
+    Store(Pack{x0, x1, x2, x3}, change + j);
+    for (int i = 4; i < end - j; i += 4) {
+      const Pack left = Load(head + i) * x0 + Load(head + stride + i) * x1 +
+                        Load(head + 2 * stride + i) * x2 + Load(head + 3 * stride + i) * x3;
       Store(Load(rows + j + i) - left, rows + j + i);
     }
   }

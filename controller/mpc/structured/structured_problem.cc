@@ -182,6 +182,12 @@ void StructuredProblem::AddCarries(int k) {
     }
   }
   stage.num_carries = static_cast<int>(carries_.size()) - stage.first_carry;
+  for (int i = stage.first_carry; i < stage.first_carry + stage.num_carries; ++i) {
+    const Carry& carry = carries_[Size(i)];
+    for (int group = carry.to / 4; group <= (carry.to + carry.count - 1) / 4; ++group) {
+      stage.carried_groups |= 1ULL << std::min(group, 63);
+    }
+  }
 }
 
 void StructuredProblem::FillBlock(const CentroidalOcp& ocp, const Stage& stage, std::size_t b) {
