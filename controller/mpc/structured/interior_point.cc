@@ -50,7 +50,6 @@ class Minimizer {
   double last_shift_{0.0};
   double fraction_{0.99};
   double first_infeasibility_{1.0};
-  double alpha_{0.0}, alpha_dual_{0.0};
   int num_recoveries_{0};
   bool is_adaptive_{true};
 };
@@ -154,9 +153,7 @@ bool Minimizer::IsAcceptable(double step, double slope, double infeasibility, do
   return is_better;
 }
 
-void Minimizer::Accept(const StepLimits& step) {
-  alpha_ = step.primal;
-  alpha_dual_ = step.dual;
+void Minimizer::Accept([[maybe_unused]] const StepLimits& step) {
   double* point = work_.point;
   work_.point = work_.trial;
   work_.trial = point;

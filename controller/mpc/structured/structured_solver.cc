@@ -112,6 +112,11 @@ void StructuredSolver::Report(const CentroidalOcp& ocp, const structured::Summar
   solution_.cost = summary.cost;
   solution_.kkt_error = summary.kkt_error;
   solution_.constraint_violation = workspace_.now.largest_residual * ocp.mass_kg;
+  if (!IsFinite(solution_)) {  // A recovery that ran away; never handed on.
+    ResetToShape(ocp, &solution_);
+    solution_.status = SolveStatus::kNumericalError;
+    return;
+  }
   switch (summary.outcome) {
     case Outcome::kSolved:
       solution_.status = SolveStatus::kSolved;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <utility>
 
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/nlp_points.h"
 #include "controller/mpc/structured/filter.h"
 #include "controller/mpc/structured/force_limits.h"
 #include "controller/mpc/structured/minimize.h"
@@ -40,83 +40,112 @@ struct RandomPoint {
   Workspace work;
 };
 
-/// The Newton system as one dense matrix over [x_1.. x_N, u, d, multipliers], from finite
-/// differences of the core's own functions: nothing of the recursion is shared.
-Eigen::VectorXd DenseDirection(RandomPoint* at) {
-  const ProblemView& view = at->laid_out.view();
-  const int num_primal = view.at.s - 9, num_rows = 9 * view.knots;
-  Eigen::MatrixXd J(num_rows, num_primal), H = Eigen::MatrixXd::Zero(num_primal, num_primal);
-  const Eigen::Map<const Eigen::VectorXd> gap(at->work.now.gap, num_rows);
-  const Eigen::VectorXd gap_here = gap;
-  const Eigen::Map<const Eigen::VectorXd> costate(at->work.linear.costate + 9, num_rows);
-  const Eigen::VectorXd multipliers = costate;
-  // The gap is bilinear: central differences with a step of one are exact.
-  const auto gap_at = [&](int i, double step_i, int j, double step_j) -> Eigen::VectorXd {
-    double* point = at->work.point + 9;
+using ConstMap = Eigen::Map<const Eigen::VectorXd>;
+
+/// The core's functions of the primal variables [x_1.. x_N, u, d], by finite differences that are
+/// exact: the gap is bilinear and the cost quadratic.
+class Differences {
+ public:
+  explicit Differences(RandomPoint* at)
+      : at_(*at), view_(at->laid_out.view()), num_rows_(9 * view_.knots) {}
+
+  int num_primal() const { return view_.at.s - 9; }
+
+  /// The gap with entries i and j moved.
+  Eigen::VectorXd Gap(int i, double step_i, int j, double step_j) {
+    double* point = at_.work.point + 9;
     const double kept_i = point[i], kept_j = point[j];
     point[i] += step_i;
     point[j] += step_j;
-    baseline::Evaluate(view, at->work.point, &at->work.next);
+    baseline::Evaluate(view_, at_.work.point, &at_.work.next);
     point[j] = kept_j;
     point[i] = kept_i;
-    return Eigen::Map<const Eigen::VectorXd>(at->work.next.gap, num_rows);
-  };
-  const auto gradient_at = [&](int i, double step) -> Eigen::VectorXd {
-    double* point = at->work.point + 9;
+    return ConstMap(at_.work.next.gap, num_rows_);
+  }
+
+  Eigen::VectorXd Gradient(int i, double step) {
+    double* point = at_.work.point + 9;
     const double kept = point[i];
     point[i] += step;
-    baseline::Linearize(view, at->work.point, &at->work.linear);
+    baseline::Linearize(view_, at_.work.point, &at_.work.linear);
     point[i] = kept;
-    return Eigen::Map<const Eigen::VectorXd>(at->work.linear.gradient + 9, num_primal);
-  };
-  for (int i = 0; i < num_primal; ++i) {
-    J.col(i) = 0.5 * (gap_at(i, 1.0, i, 0.0) - gap_at(i, -1.0, i, 0.0));
-    H.col(i) = 0.5 * (gradient_at(i, 1.0) - gradient_at(i, -1.0));
+    return ConstMap(at_.work.linear.gradient + 9, num_primal());
   }
-  for (int i = 0; i < num_primal; ++i) {
-    for (int j = 0; j < num_primal; ++j) {
-      if (i == j) continue;
-      const Eigen::VectorXd mixed =
-          gap_at(i, 1.0, j, 1.0) - gap_at(i, 1.0, j, 0.0) - gap_at(i, 0.0, j, 1.0) + gap_here;
-      H(i, j) += multipliers.dot(mixed);
+
+  Eigen::MatrixXd Jacobian() {
+    Eigen::MatrixXd J(num_rows_, num_primal());
+    for (int i = 0; i < num_primal(); ++i) {
+      J.col(i) = 0.5 * (Gap(i, 1.0, i, 0.0) - Gap(i, -1.0, i, 0.0));
     }
+    return J;
   }
-  for (int k = 0; k < view.knots; ++k) {  // The friction rows' barrier.
+
+  /// Second derivatives of cost + multipliers . gap.
+  Eigen::MatrixXd Hessian(const Eigen::VectorXd& multipliers) {
+    Eigen::MatrixXd H(num_primal(), num_primal());
+    const Eigen::VectorXd here = Gap(0, 0.0, 0, 0.0);
+    for (int i = 0; i < num_primal(); ++i) {
+      H.col(i) = 0.5 * (Gradient(i, 1.0) - Gradient(i, -1.0));
+    }
+    for (int i = 0; i < num_primal(); ++i) {
+      for (int j = 0; j < num_primal(); ++j) {
+        if (i == j) continue;
+        H(i, j) +=
+            multipliers.dot(Gap(i, 1.0, j, 1.0) - Gap(i, 1.0, j, 0.0) - Gap(i, 0.0, j, 1.0) + here);
+      }
+    }
+    return H;
+  }
+
+ private:
+  RandomPoint& at_;
+  const ProblemView& view_;
+  int num_rows_;
+};
+
+/// Adds the curvature of the friction rows' barrier.
+void AddFrictionBarrier(const ProblemView& view, const double* point, Eigen::MatrixXd* H) {
+  for (int k = 0; k < view.knots; ++k) {
     const Stage& stage = view.stages[k];
     const int n = stage.num_slots, first = view.at.u - 9 + 3 * stage.first_slot;
-    for (int j = 0; j < n; ++j) {
-      for (int r = 0; r < view.num_faces; ++r) {
-        const int row = view.num_faces * stage.first_slot + r * n + j;
-        const double weight = at->work.point[view.at.z + row] / at->work.point[view.at.s + row];
-        for (int a = 0; a < 3; ++a) {
-          for (int b = 0; b < 3; ++b) {
-            const double* face = view.face + 3 * view.num_faces * stage.first_slot + 3 * r * n + j;
-            H(first + a * n + j, first + b * n + j) += weight * face[a * n] * face[b * n];
-          }
+    for (int row = 0; row < view.num_faces * n; ++row) {
+      const int at = view.num_faces * stage.first_slot + row, j = row % n;
+      const double* face = view.face + 3 * (at - j) + j;
+      const double weight = point[view.at.z + at] / point[view.at.s + at];
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+          (*H)(first + a * n + j, first + b * n + j) += weight * face[a * n] * face[b * n];
         }
       }
     }
   }
+}
+
+/// Solves the Newton system as one dense matrix over primal variables and multipliers: nothing of
+/// the recursion is shared.
+Eigen::VectorXd DenseDirection(RandomPoint* at) {
+  const ProblemView& view = at->laid_out.view();
+  const int num_primal = view.at.s - 9, num_rows = 9 * view.knots;
+  const Eigen::VectorXd multipliers = ConstMap(at->work.linear.costate + 9, num_rows);
+  Differences differences(at);
+  Eigen::MatrixXd J = differences.Jacobian(), H = differences.Hessian(multipliers);
+  AddFrictionBarrier(view, at->work.point, &H);
+  Eigen::VectorXd right(num_primal + num_rows);
+  right << -ConstMap(at->work.newton.slope + 9, num_primal), -ConstMap(at->work.now.gap, num_rows);
   for (int i = 0; i < 3 * view.num_locations; ++i) {
-    const int at_d = view.at.d - 9 + i;
+    const int entry = view.at.d - 9 + i;
     if (view.is_free[i] != 0.0) {
-      H(at_d, at_d) += at->work.newton.box_curvature[i];
+      H(entry, entry) += at->work.newton.box_curvature[i];
       continue;
     }
-    H.row(at_d).setZero();
-    H.col(at_d).setZero();
-    J.col(at_d).setZero();
-    H(at_d, at_d) = 1.0;
+    H.row(entry).setZero();
+    H.col(entry).setZero();
+    J.col(entry).setZero();
+    H(entry, entry) = 1.0;
+    right(entry) = 0.0;
   }
-  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(num_primal + num_rows, num_primal + num_rows);
+  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(right.size(), right.size());
   kkt << H, J.transpose(), J, Eigen::MatrixXd::Zero(num_rows, num_rows);
-  Eigen::VectorXd right(num_primal + num_rows);
-  right.head(num_primal) =
-      -Eigen::Map<const Eigen::VectorXd>(at->work.newton.slope + 9, num_primal);
-  right.tail(num_rows) = -gap_here;
-  for (int i = 0; i < 3 * view.num_locations; ++i) {
-    if (view.is_free[i] == 0.0) right(view.at.d - 9 + i) = 0.0;
-  }
   return Eigen::VectorXd(kkt.partialPivLu().solve(right)).head(num_primal);
 }
 
@@ -183,24 +212,52 @@ TEST(StructuredCoreTest, NegativeCurvatureIsNoticed) {
       baseline::Factorize(at.laid_out.view(), at.work.now, at.work.linear, at.work.newton));
 }
 
-TEST(StructuredCoreTest, BothInstructionSetsReachTheSameOptimum) {
-  if (!HasFastInstructions()) GTEST_SKIP() << "this processor has one only";
-  const CentroidalOcp ocp = ReferenceProblem("icub_yawed_step_up_tilted");
-  const MpcSolution start = MakeSolver("structured", {})->Solve(ocp, nullptr);
+/// A cold solve by the core itself.
+Summary ColdMinimum(const CentroidalOcp& ocp, const Settings& settings, bool is_baseline) {
+  MpcSolution start;
+  ColdStart(ocp, &start);
   StructuredProblem laid_out;
   laid_out.Build(ocp);
   Memory memory;
   Workspace work;
   memory.Take(laid_out.view(), &work);
-  Settings settings;
-  settings.is_warm = true;
   laid_out.Pack(ocp, start, work.point);
-  const Summary fast = Minimize(laid_out.view(), settings, &work);
-  laid_out.Pack(ocp, start, work.point);
-  const Summary slow = baseline::Minimize(laid_out.view(), settings, &work);
+  return is_baseline ? baseline::Minimize(laid_out.view(), settings, &work)
+                     : Minimize(laid_out.view(), settings, &work);
+}
+
+TEST(StructuredCoreTest, BothInstructionSetsReachTheSameOptimum) {
+  if (!HasFastInstructions()) GTEST_SKIP() << "this processor has one only";
+  const CentroidalOcp ocp = ReferenceProblem("icub_yawed_step_up_tilted");
+  const Summary fast = ColdMinimum(ocp, {}, false);
+  const Summary slow = ColdMinimum(ocp, {}, true);
   EXPECT_EQ(fast.outcome, Outcome::kSolved);
   EXPECT_EQ(slow.outcome, Outcome::kSolved);
   EXPECT_NEAR(fast.cost, slow.cost, 1e-9 * slow.cost);
+}
+
+TEST(StructuredCoreTest, TheChosenMethodBeatsTheOthersOnIterationsAndAgreesOnTheOptimum) {
+  Settings monotone, convex;
+  monotone.is_adaptive = false;
+  convex.is_exact = false;
+  int chosen_sum = 0, monotone_sum = 0, convex_sum = 0;
+  for (const char* name :
+       {"icub_nominal_just_landed", "icub_forward_40N_single_support_late", "icub_N30_friction_1",
+        "icub_lateral_40N_single_support_early", "biped_walk_to_run", "hopper_stance_first"}) {
+    SCOPED_TRACE(name);
+    const CentroidalOcp ocp = ReferenceProblem(name);
+    const Summary chosen = ColdMinimum(ocp, {}, false);
+    for (const auto& [settings, sum] :
+         {std::pair(&monotone, &monotone_sum), std::pair(&convex, &convex_sum)}) {
+      const Summary other = ColdMinimum(ocp, *settings, false);
+      EXPECT_EQ(other.outcome, Outcome::kSolved);
+      EXPECT_NEAR(other.cost, chosen.cost, 1e-6 * chosen.cost);
+      *sum += other.iterations;
+    }
+    chosen_sum += chosen.iterations;
+  }
+  EXPECT_LT(chosen_sum, monotone_sum);
+  EXPECT_LT(chosen_sum, convex_sum);
 }
 
 TEST(ForceLimitsTest, ConesBandsAndContradictions) {
