@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "models/mjcf/quaternion.h"
 #include "models/support/config_error.h"
 #include "tests/support/crooked_robot.h"
+#include "tests/support/reference_robot.h"
 
 namespace sidestep {
 namespace {
@@ -38,48 +38,6 @@ RobotState MovingState(const RigidBody& body) {
   state.feet.resize(body.feet().size());
   return state;
 }
-
-/// The same robot in a simulation of its own, for what RigidBody does not use.
-class Reference {
- public:
-  explicit Reference(const RobotDescription& robot)
-      : model_(CompileMjcf("<mujoco><include file=\"robot.xml\"/></mujoco>",
-                           ReadTextFile(robot.mjcf), robot.mjcf)),
-        data_(MakeData(*model_)) {}
-
-  const mjModel* model() const { return model_.get(); }
-  mjData* data() { return data_.get(); }
-
-  void Set(const RobotState& state) {
-    mj_resetData(model(), data());
-    Eigen::Map<Eigen::Vector3d>(data_->qpos) = state.p_WB;
-    ToMuJoCo(state.q_WB, data_->qpos + 3);
-    Eigen::Map<Eigen::Vector3d>(data_->qvel) = state.v_WB;
-    Eigen::Map<Eigen::Vector3d>(data_->qvel + 3) = state.w_WB_B;
-    for (int i = 0; i < model_->nu; ++i) {
-      const int joint = model_->actuator_trnid[2 * i];
-      data_->qpos[model_->jnt_qposadr[joint]] = state.joint_position[i];
-      data_->qvel[model_->jnt_dofadr[joint]] = state.joint_velocity[i];
-    }
-  }
-
-  /// `state` moved along the velocity `nu` for `time_s`, its velocities as they were.
-  RobotState Moved(const RobotState& state, const Eigen::VectorXd& nu, double time_s) {
-    Set(state);
-    mj_integratePos(model(), data_->qpos, nu.data(), time_s);
-    RobotState moved = state;
-    moved.p_WB = Eigen::Map<const Eigen::Vector3d>(data_->qpos);
-    moved.q_WB = FromMuJoCo(data_->qpos + 3);
-    for (int i = 0; i < model_->nu; ++i) {
-      moved.joint_position[i] = data_->qpos[model_->jnt_qposadr[model_->actuator_trnid[2 * i]]];
-    }
-    return moved;
-  }
-
- private:
-  MjModelPtr model_;
-  MjDataPtr data_;
-};
 
 class RigidBodyTest : public testing::TestWithParam<const char*> {
  protected:
@@ -111,7 +69,7 @@ class RigidBodyTest : public testing::TestWithParam<const char*> {
   TempFolder folder_;
   RobotDescription robot_;
   RigidBody body_;
-  Reference reference_;
+  ReferenceRobot reference_;
   RobotState state_;
 };
 
