@@ -59,9 +59,11 @@ struct Tile {
   }
 };
 
-/// Calls visit(tile size, row) for tiles that cover rows [begin, end), the largest first.
+/// Calls visit(empty tile, row) for tiles that cover rows [begin, end), the largest first. Sixteen
+/// registers of 16 bytes hold a tile of 4 x 4 only.
 template <typename Visit>
 inline __attribute__((always_inline)) void ForTiles(int begin, int end, Visit&& visit) {
+#ifdef __AVX2__
   int row = begin;
   for (; end - row >= 12; row += 12) visit(Tile<3>{}, row);
   if (end - row == 8) {
@@ -69,6 +71,9 @@ inline __attribute__((always_inline)) void ForTiles(int begin, int end, Visit&& 
   } else if (end - row == 4) {
     visit(Tile<1>{}, row);
   }
+#else
+  for (int row = begin; row < end; row += 4) visit(Tile<1>{}, row);
+#endif
 }
 
 }  // namespace
