@@ -5,9 +5,9 @@
 // Source: Waechter & Biegler, "On the implementation of an interior-point filter line-search
 // algorithm for large-scale nonlinear programming", Math. Program. 106 (2006), section 2.3.
 
-#include "controller/mpc/structured/core_math.h"
+#include "controller/mpc/structured/isa.h"
 
-namespace sidestep::mpc::structured {
+namespace sidestep::mpc::structured::SIDESTEP_ISA {
 
 /// A filter of bounded size: when it is full, the oldest entry goes.
 class Filter {
@@ -52,4 +52,4 @@ class Filter {
   int count_{0};
 };
 
-}  // namespace sidestep::mpc::structured
+}  // namespace sidestep::mpc::structured::SIDESTEP_ISA

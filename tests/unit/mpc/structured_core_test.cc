@@ -280,7 +280,7 @@ TEST(ForceLimitsTest, ConesBandsAndContradictions) {
 }
 
 TEST(FilterTest, RefusesWhatIsNoBetterInEitherMeasure) {
-  Filter filter;
+  baseline::Filter filter;
   filter.Reset(10.0);
   EXPECT_FALSE(filter.Accepts(11.0, -1e9)) << "beyond the largest infeasibility";
   filter.Add(1.0, 5.0);
