@@ -96,6 +96,7 @@ CentroidalOcp Read(const fs::path& path) {
 
 void AddSequences(Table* table) {
   for (const fs::path& folder : Sorted(fs::path(SIDESTEP_SOURCE_DIR) / "tests/data/mpc")) {
+    if (!fs::is_directory(folder)) continue;
     Row cold, warm;
     cold.name = folder.filename().string() + ", cold";
     warm.name = folder.filename().string() + ", warm";
