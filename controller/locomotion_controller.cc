@@ -19,16 +19,6 @@ Tick HorizonTicks(const LocomotionSetup& setup) {
   return (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
 }
 
-GaitPlanner MakePlanner(const LocomotionSetup& setup) {
-  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()), setup.robot.com_height_m,
-                              setup.robot.feet.front().sole_height_m, setup.control.mpc.box_lower_m,
-                              setup.control.mpc.box_upper_m};
-  const Tick horizon = HorizonTicks(setup);
-  const Tick end = TickAt(setup.duration_s, setup.tick_s) + 2 * horizon;
-  return {BuildNominalGait(setup.gait, geometry, end, setup.tick_s), setup.control.planner, horizon,
-          setup.tick_s};
-}
-
 mpc::RobotModel MakeRobotModel(const LocomotionSetup& setup, const RigidBody* rigid_body) {
   mpc::RobotModel robot;
   robot.mass_kg = rigid_body != nullptr ? rigid_body->mass_kg() : setup.robot.mass_kg;
@@ -38,6 +28,25 @@ mpc::RobotModel MakeRobotModel(const LocomotionSetup& setup, const RigidBody* ri
     robot.vertices_m.push_back(foot.vertices_m);
   }
   return robot;
+}
+
+GaitPlanner MakePlanner(const LocomotionSetup& setup, const mpc::RobotModel& robot) {
+  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()),
+                              setup.robot.com_height_m,
+                              setup.robot.feet.front().sole_height_m,
+                              setup.control.mpc.box_lower_m,
+                              setup.control.mpc.box_upper_m,
+                              setup.control.planner.com_sway};
+  const Tick horizon = HorizonTicks(setup);
+  const Tick end = TickAt(setup.duration_s, setup.tick_s) + 2 * horizon;
+  GaitPlanner planner(BuildNominalGait(setup.gait, geometry, end, setup.tick_s),
+                      setup.control.planner, horizon, setup.tick_s);
+  if (setup.control.planner.recovery.enabled && robot.vertices_m.size() == 2) {
+    planner.EnableRecovery({setup.gait, geometry, end,
+                            TickAt(setup.control.mpc.step_s, setup.tick_s), robot.mass_kg,
+                            robot.vertices_m});
+  }
+  return planner;
 }
 
 std::unique_ptr<StateEstimator> MakeEstimator(const LocomotionSetup& setup, RigidBody* rigid_body) {
@@ -72,7 +81,7 @@ LocomotionController::LocomotionController(const LocomotionSetup& setup, StageTi
       mpc_period_(TickAt(1.0 / setup.control.mpc.rate_hz, setup.tick_s)),
       rigid_body_(setup.is_centroidal ? nullptr : std::make_unique<RigidBody>(setup.robot)),
       estimator_(MakeEstimator(setup, rigid_body_.get())),
-      planner_(MakePlanner(setup)),
+      planner_(MakePlanner(setup, MakeRobotModel(setup, rigid_body_.get()))),
       mpc_(setup.control.mpc, MakeRobotModel(setup, rigid_body_.get()), setup.tick_s),
       whole_body_(MakeWholeBody(setup, rigid_body_.get())) {
   const std::size_t num_feet = setup.robot.feet.size();

@@ -9,8 +9,6 @@
 namespace sidestep {
 namespace {
 
-constexpr double kAccelerationCutoff_hz = 10.0;
-
 // Share of the way that a first-order low-pass goes in one step.
 double LowPassShare(double cutoff_hz, double dt_s) {
   const double ratio = 2.0 * std::numbers::pi * cutoff_hz * dt_s;
@@ -85,10 +83,7 @@ void ForceSensing::SmoothExternal(const Wrench& wrench) {
 }
 
 void ForceSensing::NoteVelocity(const Eigen::VectorXd& velocity) {
-  if (has_velocity_) {
-    const double share = LowPassShare(kAccelerationCutoff_hz, dt_s_);
-    acceleration_ += share * ((velocity - velocity_) / dt_s_ - acceleration_);
-  }
+  if (has_velocity_) acceleration_ = (velocity - velocity_) / dt_s_;
   velocity_ = velocity;
   has_velocity_ = true;
 }

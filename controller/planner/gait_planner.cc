@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "controller/planner/com_spline.h"
+#include "controller/planner/recovery.h"
 
 namespace sidestep {
 namespace {
@@ -35,7 +36,7 @@ GaitPlanner::GaitPlanner(NominalGait gait, const PlannerParams& params, Tick hor
 }
 
 Eigen::Vector3d GaitPlanner::Shift(int sequence) const {
-  if (params_.follow == FollowMode::kPath) return Eigen::Vector3d::Zero();
+  if (params_.follow == FollowMode::kPath && !has_recovered_) return Eigen::Vector3d::Zero();
   if (sequence <= last_landing_) return shift_[static_cast<std::size_t>(sequence)];
   const Eigen::Vector3d& last = shift_[static_cast<std::size_t>(last_landing_)];
   const double distance_m = last.norm();
@@ -65,8 +66,43 @@ Eigen::Vector3d GaitPlanner::CapturePointError(const RobotState& state, Tick tic
   return error;
 }
 
+// Both feet on the ground, in the plan and by feel, and none of them about to leave it.
+bool GaitPlanner::StandsForNow(const RobotState& state, Tick tick) const {
+  for (std::size_t foot = 0; foot < gait_.feet.size(); ++foot) {
+    const PlannedContact& contact = gait_.feet[foot][first_[foot]].contact;
+    const bool stands = contact.start_tick <= tick && state.feet[foot].in_contact;
+    if (!stands || contact.end_tick <= tick + 2 * recovery_->grid) return false;
+  }
+  return true;
+}
+
+void GaitPlanner::RecoverIfNeeded(const RobotState& state, Tick tick) {
+  if (!recovery_ || tick % recovery_->grid != 0 || !StandsForNow(state, tick)) return;
+  const Eigen::Vector2d capture_point = CapturePoint(state, recovery_->mass_kg);
+  const double outside_m = DistanceFromSoles(capture_point, state.feet, recovery_->vertices_m);
+  const Eigen::Vector2d middle = 0.5 * (state.feet[0].p_WF + state.feet[1].p_WF).head<2>();
+  const Eigen::Vector2d shrunk =
+      capture_point + (capture_point - middle).normalized() * params_.recovery.margin_m;
+  if (outside_m == 0.0 && DistanceFromSoles(shrunk, state.feet, recovery_->vertices_m) == 0.0) {
+    return;
+  }
+  // The foot that carries less is the one that can go.
+  const double left_m = (capture_point - state.feet[0].p_WF.head<2>()).norm();
+  const double right_m = (capture_point - state.feet[1].p_WF.head<2>()).norm();
+  InsertRecovery(params_.recovery, left_m > right_m ? 0 : 1, recovery_->segments,
+                 recovery_->geometry, tick, recovery_->end_tick, tick_s_, &gait_);
+  has_recovered_ = true;
+  int last_sequence = last_landing_;
+  for (const auto& contacts : gait_.feet) {
+    last_sequence = std::max(last_sequence, contacts.back().sequence);
+  }
+  shift_.resize(static_cast<std::size_t>(last_sequence) + 1, Eigen::Vector3d::Zero());
+  shift_[static_cast<std::size_t>(last_landing_)] = CapturePointError(state, tick);
+}
+
 const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
   NoteLandings(state, tick);
+  RecoverIfNeeded(state, tick);
   for (std::size_t foot = 0; foot < gait_.feet.size(); ++foot) {
     auto& contacts = gait_.feet[foot];
     while (first_[foot] + 1 < contacts.size() && contacts[first_[foot]].contact.end_tick <= tick) {
@@ -116,8 +152,9 @@ void GaitPlanner::KeepFeetApart(Tick tick) {
 }
 
 void GaitPlanner::SetAdjusted(int foot, int index, const Eigen::Vector3d& p_WF) {
-  NominalContact& nominal =
-      gait_.feet[static_cast<std::size_t>(foot)][static_cast<std::size_t>(index)];
+  auto& contacts = gait_.feet[static_cast<std::size_t>(foot)];
+  if (static_cast<std::size_t>(index) >= contacts.size()) return;  // of a gait since rewritten
+  NominalContact& nominal = contacts[static_cast<std::size_t>(index)];
   nominal.contact.adjusted_p_WF = p_WF;
   nominal.decided = true;
 }

@@ -11,6 +11,7 @@
 // Humanoids 2006.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "controller/planner/nominal_gait.h"
@@ -19,10 +20,23 @@
 
 namespace sidestep {
 
+/// What the planner needs to insert steps that the gait does not have; see recovery.h.
+struct RecoverySetup {
+  std::vector<GaitParams> segments;  ///< As the nominal gait was built from.
+  GaitGeometry geometry;
+  Tick end_tick{0};  ///< The nominal gait is laid out until here.
+  Tick grid{1};      ///< Steps begin at multiples of this.
+  double mass_kg{1.0};
+  std::vector<Eigen::Matrix3Xd> vertices_m;  ///< One 3 x n_v a foot, in F.
+};
+
 class GaitPlanner {
  public:
   /// `horizon` is how far contacts are planned ahead; `tick_s` one tick.
   GaitPlanner(NominalGait gait, const PlannerParams& params, Tick horizon, double tick_s);
+
+  /// Lets the planner insert steps (params.recovery) when both feet stand and can't hold the robot.
+  void EnableRecovery(const RecoverySetup& setup) { recovery_ = setup; }
 
   /// Contacts that end after `tick` and begin before tick + horizon, for every foot; at
   /// least one a foot. Call with non-decreasing ticks. A contact that has begun is reported where
@@ -39,6 +53,8 @@ class GaitPlanner {
 
  private:
   Eigen::Vector3d Shift(int sequence) const;
+  void RecoverIfNeeded(const RobotState& state, Tick tick);
+  bool StandsForNow(const RobotState& state, Tick tick) const;
   void KeepFeetApart(Tick tick);
   void NoteLandings(const RobotState& state, Tick tick);
   Eigen::Vector3d CapturePointError(const RobotState& state, Tick tick) const;
@@ -53,6 +69,8 @@ class GaitPlanner {
   std::vector<std::size_t> landed_;     // contacts of each foot known to have begun
   std::vector<Eigen::Vector3d> shift_;  // by landing sequence, up to last_landing_
   int last_landing_{0};
+  std::optional<RecoverySetup> recovery_;
+  bool has_recovered_{false};  // the path begins where the recovery led
   ContactPlan plan_;
 };
 

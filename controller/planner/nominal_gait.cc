@@ -26,6 +26,35 @@ class GaitWriter {
     AddComKnot(0, true);
   }
 
+  // Goes on from a gait under way in which every foot stands at `tick`.
+  GaitWriter(const std::vector<GaitParams>& segments, const GaitGeometry& geometry, double tick_s,
+             NominalGait gait, Tick tick)
+      : segments_(segments),
+        geometry_(geometry),
+        tick_s_(tick_s),
+        gait_(std::move(gait)),
+        previous_(&SegmentAt(tick)),
+        now_(tick) {
+    Forget(tick);
+    const double half_width_m = 0.5 * previous_->step_width_m;
+    path_x_m_ = std::max(FootX(0), FootX(1));
+    path_y_of_foot_m_ = {Contacts(0).back().contact.nominal_p_WF.y() - half_width_m,
+                         Contacts(1).back().contact.nominal_p_WF.y() + half_width_m};
+    path_y_m_ = 0.5 * (PathY(0) + PathY(1));
+    AddComKnot(tick, false);
+  }
+
+  // Quick steps on the spot.
+  void Recover(const RecoveryParams& recovery, int first_foot) {
+    recovery_ = *previous_;
+    recovery_.step_length_m = recovery_.step_side_m = 0.0;
+    recovery_.swing_s = recovery.swing_s;
+    recovery_.double_support_s = recovery.double_support_s;
+    next_foot_ = first_foot;
+    for (int step = 0; step < recovery.steps; ++step) WalkStep(recovery_);
+    previous_ = &recovery_;
+  }
+
   NominalGait Write(Tick end_tick) {
     while (now_ < end_tick) {
       const GaitParams& gait = SegmentAt(now_);
@@ -50,6 +79,17 @@ class GaitWriter {
   }
 
  private:
+  // Drops what has not begun at `tick`.
+  void Forget(Tick tick) {
+    sequence_ = 0;
+    for (auto& contacts : gait_.feet) {
+      while (contacts.back().contact.start_tick > tick) contacts.pop_back();
+      contacts.back().contact.end_tick = kForever;
+      sequence_ = std::max(sequence_, contacts.back().sequence);
+    }
+    while (!gait_.com.empty() && gait_.com.back().tick >= tick) gait_.com.pop_back();
+  }
+
   Tick Ticks(double time_s) const { return TickAt(time_s, tick_s_); }
 
   const GaitParams& SegmentAt(Tick tick) const {
@@ -111,6 +151,17 @@ class GaitWriter {
     gait_.com.push_back({tick, p_WC, sequence_, at_rest});
   }
 
+  // In the middle of a swing: halfway between the double supports around it, and towards the foot
+  // that stands.
+  void AddSwayKnot(Tick tick, int stance, const GaitParams& gait) {
+    const double next_x_m = path_x_m_ + gait.step_length_m;
+    const double x_m = 0.25 * (2.0 * FootX(stance) + FootX(1 - stance) + next_x_m);
+    const double path_y_m = path_y_m_ + 0.5 * gait.step_side_m;
+    const double foot_y_m = Contacts(stance).back().contact.nominal_p_WF.y();
+    const double y_m = path_y_m + geometry_.com_sway * (foot_y_m - path_y_m);
+    gait_.com.push_back({tick, {x_m, y_m, geometry_.com_height_m}, sequence_, false});
+  }
+
   void Stand(Tick end_tick) {
     if (geometry_.num_feet == 2 && !FeetSideBySide()) {
       SIDESTEP_REQUIRE(previous_ != nullptr, "a gait begins side by side");
@@ -137,6 +188,7 @@ class GaitWriter {
       LiftOff(swing, now_ + double_support);
       landing += double_support;
     }
+    if (geometry_.com_sway > 0.0) AddSwayKnot(landing - Ticks(gait.swing_s) / 2, 1 - swing, gait);
     Advance(swing, landing, gait);
   }
 
@@ -174,6 +226,7 @@ class GaitWriter {
   double tick_s_;
   NominalGait gait_;
   const GaitParams* previous_{nullptr};
+  GaitParams recovery_;
   Tick now_{0};
   double path_x_m_{0.0};
   double path_y_m_{0.0};
@@ -188,6 +241,15 @@ NominalGait BuildNominalGait(const std::vector<GaitParams>& segments, const Gait
                              Tick end_tick, double tick_s) {
   SIDESTEP_REQUIRE(!segments.empty(), segments.size());
   return GaitWriter(segments, geometry, tick_s).Write(end_tick);
+}
+
+void InsertRecovery(const RecoveryParams& recovery, int first_foot,
+                    const std::vector<GaitParams>& segments, const GaitGeometry& geometry,
+                    Tick tick, Tick end_tick, double tick_s, NominalGait* gait) {
+  SIDESTEP_REQUIRE(gait->feet.size() == 2, gait->feet.size());
+  GaitWriter writer(segments, geometry, tick_s, std::move(*gait), tick);
+  writer.Recover(recovery, first_foot);
+  *gait = writer.Write(end_tick);
 }
 
 }  // namespace sidestep

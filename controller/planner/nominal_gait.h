@@ -45,11 +45,18 @@ struct GaitGeometry {
   /// foot's are mirrored in y.
   Eigen::Vector3d box_lower_m{Eigen::Vector3d::Zero()};
   Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
+  double com_sway{0.0};  ///< PlannerParams::com_sway.
 };
 
 /// Lays contacts out until `end_tick` at least. `segments` are in order of start_s, the first at 0.
 /// Contacts that last to the end have a far end_tick. Throws ContractViolation without segments.
 NominalGait BuildNominalGait(const std::vector<GaitParams>& segments, const GaitGeometry& geometry,
                              Tick end_tick, double tick_s);
+
+/// Rewrites `gait` from `tick` on, when every foot stands: `recovery.steps` quick steps on the
+/// spot, `first_foot` first, then the segments again. Contacts that have not begun are forgotten.
+void InsertRecovery(const RecoveryParams& recovery, int first_foot,
+                    const std::vector<GaitParams>& segments, const GaitGeometry& geometry,
+                    Tick tick, Tick end_tick, double tick_s, NominalGait* gait);
 
 }  // namespace sidestep

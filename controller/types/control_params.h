@@ -90,8 +90,8 @@ struct EstimatorParams {
   double foot_velocity_noise_mps{0.05};
   double foot_slip_noise_mps{0.01};  ///< Random walk of a standing foot.
   double contact_threshold_N{0.3};
-  double wrench_cutoff_hz{10.0};  ///< Low-pass of the estimated external wrench.
-  double wrench_deadband_N{5.0};  ///< An estimated force below this is taken for none.
+  double wrench_cutoff_hz{10.0};   ///< Low-pass of the estimated external wrench.
+  double wrench_deadband_N{15.0};  ///< An estimated force below this is taken for none.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

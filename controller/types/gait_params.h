@@ -63,16 +63,40 @@ struct EnumNames<FollowMode> {
       {{FollowMode::kPath, "path"}, {FollowMode::kCapturePoint, "capture_point"}}};
 };
 
+/// Steps that the gait does not have, taken when the feet can no longer hold the robot.
+struct RecoveryParams {
+  bool enabled{false};
+  double margin_m{0.02};  ///< How near the capture point may come to the edge of the soles.
+  double swing_s{0.4};
+  double double_support_s{0.1};
+  int steps{3};  ///< Before the gait goes on.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("enabled", self.enabled);
+    visit("margin_m", self.margin_m, Range{-0.5, 0.5});
+    visit("swing_s", self.swing_s, Range{0.05, 5.0});
+    visit("double_support_s", self.double_support_s, Range{0.0, 5.0});
+    visit("steps", self.steps, Range{1.0, 20.0});
+  }
+};
+
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
   double path_return_m{0.05};    ///< capture_point: largest drift back to the path in one step.
   double min_step_width_m{0.0};  ///< Of two feet: what no step adjustment may go below.
+  /// CoM reference in the middle of a walk's swing: this share of the way from the path to the foot
+  /// that stands. 0 as in the paper, whose reference stays on the path.
+  double com_sway{0.0};
+  RecoveryParams recovery;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     visit("follow", self.follow);
     visit("path_return_m", self.path_return_m, Range{0.0, 1.0});
     visit("min_step_width_m", self.min_step_width_m, Range{0.0, 1.0});
+    visit("com_sway", self.com_sway, Range{0.0, 1.0});
+    visit("recovery", self.recovery);
   }
 };
 

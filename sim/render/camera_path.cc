@@ -13,8 +13,8 @@ namespace {
 // sideways and a forward push show their length.
 constexpr double kAzimuth_deg = 145.0;
 constexpr double kElevation_deg = -17.0;
-constexpr double kDistancePerComHeight = 3.7;
-constexpr double kLookAtPerComHeight = 0.85;
+constexpr double kDistancePerComHeight = 4.1;
+constexpr double kLookAtPerComHeight = 1.05;
 constexpr double kSmoothing_s = 0.6;  // half the averaging window
 constexpr double kTypicalAspect = 4.0 / 3.0;
 constexpr double kFixedMargin = 1.1;  // metres of path to metres of distance
