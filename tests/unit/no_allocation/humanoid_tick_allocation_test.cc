@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A control tick of a walking humanoid, on its servos and its own sensors, takes no memory once
+// every size has been seen: nor do the ticks on which the structured MPC solves.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "sim/scenario/read_scenario.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/control_loop.h"
+
+namespace sidestep {
+namespace {
+
+// One step of each foot: every shape of contacts within the horizon has been planned, or nearly.
+constexpr double kWarmUp_s = 1.8;
+constexpr double kCounted_s = 1.8;  // a step of each foot again
+
+/// iCub3 on its quick walk, pushed at a hand while its ticks are counted.
+Scenario PushedWalk() {
+  Scenario scenario = ReadScenario(
+      std::filesystem::path(SIDESTEP_SOURCE_DIR) / "scenarios/icub_walk_fast.yaml", {});
+  Push push;
+  push.body = "r_hand";
+  push.force_N = {0.0, 30.0, 0.0};
+  push.start_s = kWarmUp_s + 0.1;
+  push.duration_s = 0.5;
+  scenario.pushes = {push};
+  return scenario;
+}
+
+struct Counted {
+  int ticks{0}, solves{0}, on_left{0}, on_right{0}, on_both{0}, pushed{0};
+
+  void Add(const ControlTick& control) {
+    const bool left = control.feet[0].planned_contact, right = control.feet[1].planned_contact;
+    ++ticks;
+    solves += control.mpc.ran ? 1 : 0;
+    on_left += left && !right ? 1 : 0;
+    on_right += right && !left ? 1 : 0;
+    on_both += left && right ? 1 : 0;
+    pushed += control.state.external_wrench.force_N.norm() > 0.0 ? 1 : 0;
+  }
+};
+
+TEST(HumanoidTickAllocationTest, WalkingAndPushedIcubTakesNoMemoryInAnyTick) {
+  const Scenario scenario = PushedWalk();
+  ASSERT_EQ(scenario.control.mode, ControlMode::kPosition);
+  ASSERT_EQ(scenario.control.mpc.backend, "structured");
+  Counted counted;
+  RunControlLoop(scenario, kWarmUp_s + kCounted_s,
+                 [&](Tick tick, const SensorFrame& frame, LocomotionController* controller,
+                     const WorldTruth& truth) -> const ControlTick& {
+                   const std::int64_t before = CountAllocations();
+                   const ControlTick& control = controller->Update(frame);
+                   const std::int64_t taken = CountAllocations() - before;
+                   EXPECT_FALSE(truth.body_touches_ground) << "fell";
+                   if (SecondsAt(tick, scenario.world.step_s) >= kWarmUp_s) {
+                     EXPECT_EQ(taken, 0) << "at tick " << tick;
+                     counted.Add(control);
+                   }
+                   return control;
+                 });
+  EXPECT_EQ(counted.ticks, 360);
+  EXPECT_EQ(counted.solves, 36);
+  EXPECT_GT(counted.on_left, 100);
+  EXPECT_GT(counted.on_right, 100);
+  EXPECT_GT(counted.on_both, 100);
+  EXPECT_GT(counted.pushed, 50);
+}
+
+}  // namespace
+}  // namespace sidestep
