@@ -6,146 +6,18 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
+#include <vector>
+
+#include "tests/support/toy_motion.h"
+#include "tests/support/toy_robot.h"
 
 namespace sidestep::testing {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kHip_m = 0.5;  // trunk's origin above the floor
-constexpr double kMass_kg = 20.0;
-constexpr double kWidth_m = 0.16;  // between the feet
-constexpr double kSwing_s = 0.2;   // after the push the right foot swings this long
 constexpr double kMpcPeriod_s = 0.05;
-
-constexpr const char* kToyLeg = R"(
-      <body name="%-thigh" pos="0 @ 0">
-        <joint name="%_hip_roll" axis="1 0 0"/><joint name="%_hip_pitch" axis="0 1 0"/>
-        <geom type="capsule" fromto="0 0 0 0 0 -0.24" size="0.03" mass="1" rgba="0.2 0.3 0.4 1"/>
-        <body name="%-shin" pos="0 0 -0.24">
-          <joint name="%_knee" axis="0 1 0"/>
-          <geom type="capsule" fromto="0 0 0 0 0 -0.24" size="0.025" mass="1"
-                rgba="0.9 0.9 0.92 1"/>
-          <geom type="box" size="0.08 0.04 0.01" pos="0.02 0 -0.25" mass="0.5"
-                rgba="0.2 0.22 0.25 1"/>
-          <site name="%" pos="0 0 -0.26"/>
-        </body>
-      </body>)";
-
-std::string Replaced(std::string text, const std::string& what, const std::string& with) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
-    text.replace(at, what.size(), with);
-  }
-  return text;
-}
-
-std::string ToyMjcf() {
-  const auto leg = [](const std::string& name, const std::string& y) {
-    return Replaced(Replaced(kToyLeg, "%", name), "@", y);
-  };
-  return R"(<mujoco model="toy">
-  <default><geom contype="0" conaffinity="0"/></default>
-  <worldbody>
-    <body name="trunk" pos="0 0 0.52"><freejoint/>
-      <geom type="box" size="0.07 0.11 0.14" pos="0 0 0.17" mass="15" rgba="0.9 0.9 0.92 1"/>
-      <geom type="sphere" size="0.07" pos="0.01 0 0.40" mass="1" rgba="0.2 0.3 0.4 1"/>
-      <site name="imu"/>)" +
-         leg("left", "0.08") + leg("right", "-0.08") + R"(
-    </body>
-  </worldbody>
-  <actuator>
-    <motor joint="left_hip_roll"/><motor joint="left_hip_pitch"/><motor joint="left_knee"/>
-    <motor joint="right_hip_roll"/><motor joint="right_hip_pitch"/><motor joint="right_knee"/>
-  </actuator>
-  <sensor>
-    <framequat name="imu_orientation" objtype="site" objname="imu"/>
-    <gyro name="imu_gyro" site="imu"/><accelerometer name="imu_accelerometer" site="imu"/>
-    <touch name="left_touch" site="left"/><touch name="right_touch" site="right"/>
-  </sensor>
-</mujoco>
-)";
-}
-
-constexpr const char* kToyRobot = R"(sidestep_robot: 1
-name: toy
-mjcf: toy.xml
-base: trunk
-imu: imu
-com_height_m: 0.6
-base_height_m: 0.52
-feet:
-  - {name: left, frame: left, sole_height_m: 0.0, vertices_m: [[0.10, 0.04, 0], [0.10, -0.04, 0], [-0.06, -0.04, 0], [-0.06, 0.04, 0]]}
-  - {name: right, frame: right, sole_height_m: 0.0, vertices_m: [[0.10, 0.04, 0], [0.10, -0.04, 0], [-0.06, -0.04, 0], [-0.06, 0.04, 0]]}
-)";
-
-// The toy's story at one instant.
-struct Moment {
-  Eigen::Vector3d p_WC;
-  Eigen::Vector3d v_WC;
-  Eigen::Vector3d push_N{Eigen::Vector3d::Zero()};
-  double swing{0.0};  // 0 before the right foot's step, 1 after it
-  bool is_swinging{false};
-  double tilt_rad{0.0};
-};
-
-Moment MomentAt(const SyntheticRun& run, double time_s) {
-  Moment moment;
-  const double since_s = time_s - run.push_start_s;
-  if (since_s >= 0.0 && since_s < run.push_duration_s) moment.push_N.y() = run.push_force_N;
-  const double impulse_mps = run.push_force_N * run.push_duration_s / kMass_kg;
-  const double decay = since_s > 0.0 ? std::exp(-3.0 * since_s) : 0.0;
-  const double drift_m = since_s > 0.0 ? impulse_mps * since_s * decay : 0.0;
-  moment.v_WC << 0.1, impulse_mps * decay * (1.0 - 3.0 * std::max(0.0, since_s)), 0.0;
-  moment.p_WC << 0.1 * time_s, 0.01 * std::sin(2.0 * kPi * time_s) + drift_m, 0.6;
-  moment.swing = std::min(1.0, std::max(0.0, (since_s - run.push_duration_s) / kSwing_s));
-  moment.is_swinging = moment.swing > 0.0 && moment.swing < 1.0;
-  moment.tilt_rad = 0.5 * drift_m;
-  if (run.verdict == "FAIL") moment.tilt_rad = 1.2 * time_s / run.duration_s;
-  return moment;
-}
-
-// Nominal and adjusted right foot; the left one never moves.
-Eigen::Vector3d LeftFoot() { return {0.0, 0.5 * kWidth_m, 0.0}; }
-Eigen::Vector3d RightFoot(bool next) { return {next ? 0.10 : 0.0, -0.5 * kWidth_m, 0.0}; }
-Eigen::Vector3d RightAdjusted(bool next) {
-  return RightFoot(next) + (next ? Eigen::Vector3d(0.02, 0.05, 0.0) : Eigen::Vector3d::Zero());
-}
-
-struct FootNow {
-  std::string name;
-  Eigen::Vector3d p_WF, f_F_W, nominal_p_WF, adjusted_p_WF;
-  bool is_down;
-};
-
-std::vector<FootNow> FeetAt(const Moment& moment) {
-  const bool next = moment.swing > 0.0;
-  const double weight_N = 9.81 * kMass_kg;
-  const double share = moment.is_swinging ? 1.0 : 0.5;
-  const Eigen::Vector3d lift(0.0, 0.0, 0.05 * std::sin(kPi * moment.swing));
-  const Eigen::Vector3d sideways = -0.2 * moment.push_N;
-  FootNow left{"left", LeftFoot(), sideways, LeftFoot(), LeftFoot(), true};
-  left.f_F_W.z() += share * weight_N;
-  FootNow right{"right",
-                RightFoot(false) + moment.swing * (RightAdjusted(true) - RightFoot(false)) + lift,
-                Eigen::Vector3d::Zero(),
-                RightFoot(next),
-                RightAdjusted(next),
-                !moment.is_swinging};
-  if (right.is_down) right.f_F_W = sideways + Eigen::Vector3d(0, 0, 0.5 * weight_N);
-  return {left, right};
-}
-
-Eigen::VectorXd QposAt(const Moment& moment) {
-  Eigen::VectorXd qpos = Eigen::VectorXd::Zero(13);
-  const double bend = 0.5 * std::sin(kPi * moment.swing);
-  const double roll = -(moment.p_WC.y()) / kHip_m;
-  qpos << moment.p_WC.x(), moment.p_WC.y(), kHip_m + 0.01, std::cos(0.5 * moment.tilt_rad),
-      std::sin(-0.5 * moment.tilt_rad), 0.0, 0.0, roll, -0.1, 0.2, roll - 0.1 * moment.swing,
-      -0.1 - bend, 0.2 + 2.0 * bend;
-  return qpos;
-}
 
 // One CSV row: names in the first pass, numbers in the others, so that they can't drift apart.
 class Row {
@@ -180,7 +52,8 @@ void AddFoot(const FootNow& foot, Row* row) {
 
 Row TrajectoryRow(double time_s, const Moment& moment) {
   Row row;
-  const Eigen::Vector3d reference(0.1 * time_s, 0.01 * std::sin(2.0 * kPi * time_s), 0.6);
+  const Eigen::Vector3d reference(0.1 * time_s, 0.01 * std::sin(2.0 * std::numbers::pi * time_s),
+                                  0.6);
   row.Add("time_s", time_s);
   row.AddVector("truth_p_WC", "m", moment.p_WC);
   row.AddVector("truth_v_WC", "mps", moment.v_WC);
@@ -200,7 +73,8 @@ Row TrajectoryRow(double time_s, const Moment& moment) {
   row.AddVector("belief_v_WC", "mps", moment.v_WC);
   row.AddVector("belief_h_C_W", "kgm2ps", Eigen::Vector3d::Zero());
   row.AddVector("reference_p_WC", "m", reference);
-  row.AddVector("reference_v_WC", "mps", {0.1, 0.02 * kPi * std::cos(2.0 * kPi * time_s), 0.0});
+  row.AddVector("reference_v_WC", "mps",
+                {0.1, 0.02 * std::numbers::pi * std::cos(2.0 * std::numbers::pi * time_s), 0.0});
   row.AddVector("mpc_p_WC", "m", 0.5 * (reference + moment.p_WC));
   row.AddVector("mpc_v_WC", "mps", moment.v_WC);
   row.Add("wall_mpc_ms", 4.0);
@@ -245,8 +119,8 @@ void WriteFootsteps(const std::filesystem::path& dir, const SyntheticRun& run) {
          "box_upper_x_m,box_upper_y_m,yaw_rad\n"
       << "left,0,0," << run.duration_s << ",0,0.08,0,0,0.08,0,0,0.08,0,0.001,0,0,0,0,0\n"
       << "right,0,0," << lift_s << ",0,-0.08,0,0,-0.08,0,0,-0.08,0,0.001,0,0,0,0,0\n";
-  if (lift_s + kSwing_s < run.duration_s) {
-    out << "right,1," << lift_s + kSwing_s << "," << run.duration_s
+  if (lift_s + kToySwing_s < run.duration_s) {
+    out << "right,1," << lift_s + kToySwing_s << "," << run.duration_s
         << ",0.1,-0.08,0,0.12,-0.03,0,0.118,-0.032,0,0.002,-0.05,-0.03,0.05,0.07,0.3\n";
   }
 }
@@ -288,7 +162,7 @@ nlohmann::json SummaryOf(const SyntheticRun& run) {
          {"start_s", run.push_start_s},
          {"duration_s", run.push_duration_s},
          {"impulse_Ns", impulse_Ns},
-         {"impulse_per_mass_mps", impulse_Ns / kMass_kg}}}},
+         {"impulse_per_mass_mps", impulse_Ns / kToyMass_kg}}}},
       {"solve_time_ms",
        {{"p50", 5.4},
         {"p99", 6.8},
@@ -310,13 +184,6 @@ nlohmann::json SummaryOf(const SyntheticRun& run) {
 }
 
 }  // namespace
-
-RobotDescription WriteToyRobot(const std::filesystem::path& dir) {
-  std::filesystem::create_directories(dir);
-  std::ofstream(dir / "toy.xml") << ToyMjcf();
-  std::ofstream(dir / "robot.yaml") << kToyRobot;
-  return ReadRobotDescription(dir / "robot.yaml");
-}
 
 void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run) {
   WriteToyRobot(dir);

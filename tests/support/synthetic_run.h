@@ -7,9 +7,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
-
-#include "models/robot_description/robot_description.h"
 
 namespace sidestep::testing {
 
@@ -22,9 +19,6 @@ struct SyntheticRun {
   double push_duration_s{0.1};
   double push_force_N{40.0};  ///< Along +y, at the trunk's side.
 };
-
-/// The toy: MJCF `toy.xml` written to `dir`, with its description: feet `left` and `right`.
-RobotDescription WriteToyRobot(const std::filesystem::path& dir);
 
 /// Creates `dir` with all files that a run leaves but video, plots and report.
 void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run = {});
