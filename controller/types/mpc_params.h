@@ -36,7 +36,7 @@ struct MpcParams {
   double rate_hz{10.0};  ///< Solves a second.
   int knots{15};         ///< N.
   double step_s{0.1};    ///< T.
-  std::string backend{"ipopt"};
+  std::string backend{"structured"};
   double latency_s{0.0};   ///< A solution is used this long after its measurement.
   double tolerance{1e-6};  ///< Of the scaled optimality conditions.
   int max_iterations{100};

@@ -20,6 +20,15 @@ void ExpectPass(const std::string& name, const std::vector<std::string>& overrid
 
 TEST(IcubTest, Stands) { ExpectPass("icub_stand"); }
 
+TEST(IcubTest, BearsAShoveAtTheChestStanding) { ExpectPass("icub_stand_push"); }
+
+TEST(IcubTest, FallsUnderThreeTimesTheShoveAtTheChest) {
+  const ClosedLoopRun run(
+      "icub_stand_push",
+      {"pushes=[{body: chest, force_N: [180, 0, 0], start_s: 2.0, duration_s: 0.5}]"});
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+}
+
 TEST(IcubTest, WalksSixteenSteps) { ExpectPass("icub_walk"); }
 
 TEST(IcubTest, WalksFast) { ExpectPass("icub_walk_fast"); }
@@ -37,6 +46,8 @@ TEST(IcubTest, BearsThePapersPushesWithoutStepAdjustment) { ExpectPass(kPush + "
 TEST(IcubTest, SurvivesThePapersPushesThoughFivePercentHeavierThanItBelieves) {
   ExpectPass(kPush, {"world.mass_scale=1.05"});
 }
+
+TEST(HumanoidTest, AnotherUrdfWalksWithTheSameController) { ExpectPass("humanoid_walk"); }
 
 TEST(IcubTest, FallsWhenItDoesNothing) {
   const ClosedLoopRun run("icub_walk", {"control.mode=passive"});
