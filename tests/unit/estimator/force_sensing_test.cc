@@ -101,6 +101,7 @@ TEST_F(ForceSensingTest, BothPlatesOfAFootAddUpAboutItsSole) {
   const Eigen::Vector3d toe_B(0.1, 0.1, -0.45), heel_B(-0.1, 0.04, -0.45);
   Load(kLeftFront, front_W, toe_B);
   Load(kLeftRear, rear_W, heel_B);
+  frame_.feet[0].normal_force_N = 500.0;  // of a touch sensor that this foot does not go by
   const FootState& left = Feed(1).feet[0];
   const Eigen::Vector3d torque_Nm =
       front_W.torque_Nm + (state_.q_WB * (toe_B - kLeftSole_B)).cross(front_W.force_N) +
@@ -133,9 +134,13 @@ TEST_F(ForceSensingTest, SmoothingTakesOneTimeConstantOfItsCutoff) {
   params_.wrench_cutoff_hz = 10.0;
   Restart();
   Load(kArm, {{0.0, 100.0, 0.0}, Eigen::Vector3d::Zero()}, kPalm_B);
+  const double torque_Nm =
+      100.0 *
+      (state_.q_WB * kPalm_B + state_.p_WB - state_.p_WC).cross(Eigen::Vector3d::UnitY()).x();
   // By hand: 1 / (2 pi 10 Hz) = 15.9 ms, when 1 - 1/e = 63.2 % are there; a step of 1 ms blurs
   // that by half a step, 1.2 %.
   EXPECT_NEAR(Feed(16).external_wrench.force_N.y(), 63.2, 1.5);
+  EXPECT_NEAR(state_.external_wrench.torque_Nm.x() / torque_Nm, 0.632, 0.015);
   EXPECT_NEAR(Feed(16).external_wrench.force_N.y(), 86.5, 1.5);
   frame_.force_torque[kArm.index] = body_.force_torque()[kArm.index].unloaded;
   EXPECT_NEAR(Feed(16).external_wrench.force_N.y(), 86.5 * 0.368, 1.5) << "and back";
