@@ -23,6 +23,11 @@ void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* da
   mju_zero3(root);
   root[2] = robot.base_height_m;
   ToMuJoCo(FromRpy(robot.base_rpy_rad), root + 3);
+  for (int joint = 0; joint < model.njnt; ++joint) {  // wherever the model's reference is
+    const bool is_scalar =
+        model.jnt_type[joint] == mjJNT_HINGE || model.jnt_type[joint] == mjJNT_SLIDE;
+    if (is_scalar) data->qpos[model.jnt_qposadr[joint]] = 0.0;
+  }
   for (const auto& [name, position] : robot.home) {
     data->qpos[model.jnt_qposadr[RequireId(model, mjOBJ_JOINT, name)]] = position;
   }

@@ -64,6 +64,15 @@ TEST_F(HomePoseTest, JointsAreAtHomeByName) {
   EXPECT_EQ(Joint("hip_r"), 0.0);
 }
 
+TEST_F(HomePoseTest, JointsWithoutAHomeAreAtZeroWhereverTheyWere) {
+  Eigen::Map<Eigen::VectorXd>(data_->qpos, model_->nq).setConstant(0.3);
+  robot_.home = {{"knee_l", 0.4}};
+  Place();
+  EXPECT_EQ(Joint("knee_l"), 0.4);
+  EXPECT_EQ(Joint("hip_l"), 0.0);
+  EXPECT_EQ(Joint("slide_r"), 0.0);
+}
+
 TEST_F(HomePoseTest, AttitudeIsRollThenPitchThenYawAboutTheWorldsAxes) {
   robot_.base_rpy_rad = {kQuarter, 0.0, kQuarter};
   Place();
