@@ -101,6 +101,15 @@ TEST_F(StepWidthTest, OnlyTheNextLandingIsClippedAndOnlyAside) {
       << "the right foot lands beside a left foot that is not down yet";
 }
 
+TEST_F(StepWidthTest, FeetThatStandAreNotClippedByEachOther) {
+  state_.feet[0].p_WF.y() = -0.04;
+  const ContactPlan plan = PlanAt(1900);  // the left foot landed at 1.8 s, the right one goes next
+  EXPECT_EQ(plan.feet[0][0].start_tick, 1800);
+  EXPECT_EQ(plan.feet[0][0].box_lower_m.y(), kInwards_m);
+  EXPECT_EQ(plan.feet[1][0].box_upper_m.y(), -kInwards_m);
+  EXPECT_NEAR(plan.feet[1][1].box_upper_m.y(), -0.08, kRounding) << "to -0.16 at least";
+}
+
 TEST_F(StepWidthTest, WithoutAWidthBoxesAreTheGaits) {
   params_.min_step_width_m = 0.0;
   EXPECT_EQ(PlanAt(kLeftSwings).feet[0].front().box_lower_m.y(), kInwards_m);
