@@ -167,6 +167,7 @@ class GaitWriter {
       SIDESTEP_REQUIRE(previous_ != nullptr, "a gait begins side by side");
       GaitParams closing = *previous_;
       closing.step_length_m = 0.0;
+      closing.step_side_m = 0.0;
       WalkStep(closing);
       return;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// position_params: gains of the whole-body inverse kinematics and of what corrects it.
+// position_params: gains of the whole-body inverse kinematics and of what corrects it. The CoM
+// needs no gain there: its velocity already answers what the robot is believed to do.
 
 #include "controller/types/field.h"
 
@@ -14,7 +15,6 @@ namespace sidestep {
 struct PositionParams {
   double foot_linear_gain_per_s{5.0};
   double foot_angular_gain_per_s{4.0};
-  double com_gain_per_s{10.0};
   double torso_gain_per_s{5.0};
   double torso_weight{1.0};
   double posture_gain_per_s{5.0};
@@ -30,7 +30,6 @@ struct PositionParams {
     const Range gain{0.0, 1e3};
     visit("foot_linear_gain_per_s", self.foot_linear_gain_per_s, gain);
     visit("foot_angular_gain_per_s", self.foot_angular_gain_per_s, gain);
-    visit("com_gain_per_s", self.com_gain_per_s, gain);
     visit("torso_gain_per_s", self.torso_gain_per_s, gain);
     visit("torso_weight", self.torso_weight, gain);
     visit("posture_gain_per_s", self.posture_gain_per_s, gain);
