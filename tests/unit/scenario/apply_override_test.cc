@@ -82,7 +82,8 @@ TEST_F(ApplyOverrideTest, RefusesAPathThatLeadsNowhere) {
   EXPECT_EQ(
       ErrorOfSet("gait.0.type=hop"),
       "--set gait.0.type=hop: error: gait.0 is not a known key; known keys: type, start_s, "
-      "step_length_m, step_width_m, swing_s, double_support_s, stance_s, flight_s, swing_height_m");
+      "step_length_m, step_width_m, swing_s, double_support_s, stance_s, flight_s, swing_height_m, "
+      "landing_speed_mps, step_side_m");
 }
 
 TEST_F(ApplyOverrideTest, TheReadersErrorsNameTheOption) {
