@@ -6,9 +6,9 @@
 // A force/torque sensor feels all that acts on its distal part: what touches it, its weight and its
 // inertia. The nominal model predicts the last two, so
 //   w_touch = w_measured - w_unloaded(q, nu, nudot)
-// with nudot the change of the belief's velocity since the frame before; the difference is smoothed,
-// so that both its parts are smoothed alike. Source: the Newton-Euler equations
-// of the distal part, as in Ivaldi et al., "Computing robot internal/external wrenches by means of
+// with nudot the change of the belief's velocity since the frame before; the difference is
+// smoothed, so that both its parts are smoothed alike. Source: the Newton-Euler equations of the
+// distal part, as in Ivaldi et al., "Computing robot internal/external wrenches by means of
 // inertial, tactile and F/T sensors", Humanoids 2011.
 
 #include <Eigen/Core>

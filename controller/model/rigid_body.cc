@@ -22,7 +22,7 @@ constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.x
 }  // namespace
 
 RigidBody::RigidBody(const RobotDescription& robot)
-    : model_(CompileMjcf(kBareWorld, MjcfOf(robot), robot.mjcf)),
+    : model_(CompileMjcf(kBareWorld, MjcfOf(robot), ModelFile(robot))),
       data_(MakeData(*model_)),
       gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(model_->opt.gravity)) {
   ResolveNames(robot);

@@ -79,13 +79,10 @@ bool GaitPlanner::StandsForNow(const RobotState& state, Tick tick) const {
 void GaitPlanner::RecoverIfNeeded(const RobotState& state, Tick tick) {
   if (!recovery_ || tick % recovery_->grid != 0 || !StandsForNow(state, tick)) return;
   const Eigen::Vector2d capture_point = CapturePoint(state, recovery_->mass_kg);
-  const double outside_m = DistanceFromSoles(capture_point, state.feet, recovery_->vertices_m);
   const Eigen::Vector2d middle = 0.5 * (state.feet[0].p_WF + state.feet[1].p_WF).head<2>();
-  const Eigen::Vector2d shrunk =
-      capture_point + (capture_point - middle).normalized() * params_.recovery.margin_m;
-  if (outside_m == 0.0 && DistanceFromSoles(shrunk, state.feet, recovery_->vertices_m) == 0.0) {
-    return;
-  }
+  const Eigen::Vector2d ahead =
+      capture_point + params_.recovery.margin_m * (capture_point - middle).normalized();
+  if (DistanceFromSoles(ahead, state.feet, recovery_->vertices_m) == 0.0) return;
   // The foot that carries less is the one that can go.
   const double left_m = (capture_point - state.feet[0].p_WF.head<2>()).norm();
   const double right_m = (capture_point - state.feet[1].p_WF.head<2>()).norm();

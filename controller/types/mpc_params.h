@@ -3,6 +3,7 @@
 // mpc_params: what a human may tune in the centroidal MPC.
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 
 #include "controller/types/field.h"
@@ -31,6 +32,9 @@ struct MpcWeights {
     visit("new_contact_force", self.new_contact_force, weight);
   }
 };
+
+/// What MpcParams::backend may be.
+inline const std::array<std::string, 2> kMpcBackends{"ipopt", "structured"};
 
 struct MpcParams {
   double rate_hz{10.0};  ///< Solves a second.

@@ -34,6 +34,10 @@ class InverseKinematics final : public WholeBody {
   WbcReport Solve(const RobotState& state, const ComTarget& com,
                   const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
 
+  /// The last problem posed. If its CoM rows, the last three of A, had to give way, they are in H
+  /// and g too.
+  const DenseQpProblem& problem() const { return qp_; }
+
  private:
   /// Where a standing foot is held.
   struct Hold {

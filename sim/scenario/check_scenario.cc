@@ -53,11 +53,10 @@ void CheckRates(const Scenario& scenario, const ConfigTree& root) {
 }
 
 void CheckMpc(const MpcParams& mpc, const ConfigTree& root) {
-  static const std::array<std::string, 2> kBackends{"ipopt", "structured"};
-  if (std::find(kBackends.begin(), kBackends.end(), mpc.backend) == kBackends.end()) {
+  if (std::find(kMpcBackends.begin(), kMpcBackends.end(), mpc.backend) == kMpcBackends.end()) {
     FailAtPath(root, "control.mpc.backend",
                "= '" + mpc.backend + "' is not known; " +
-                   DidYouMean(mpc.backend, kBackends, "known values"));
+                   DidYouMean(mpc.backend, kMpcBackends, "known values"));
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (mpc.box_lower_m[axis] <= mpc.box_upper_m[axis]) continue;

@@ -19,7 +19,7 @@ double NominalMass(const RobotDescription& robot) {
   if (!HasModel(robot)) {
     throw ConfigError(robot.file.string() + ": error: mass_kg is missing and there is no MJCF");
   }
-  const MjModelPtr model = CompileMjcf(MjcfOf(robot), "", robot.mjcf);
+  const MjModelPtr model = CompileMjcf(MjcfOf(robot), "", ModelFile(robot));
   return mj_getTotalmass(model.get());
 }
 

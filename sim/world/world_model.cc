@@ -86,7 +86,7 @@ MjModelPtr CompileWorld(const Scenario& scenario) {
   }
   xml << "</mujoco>";
   MjModelPtr model = CompileMjcf(xml.str(), has_robot ? MjcfOf(robot) : std::string(),
-                                 has_robot ? robot.mjcf : robot.file);
+                                 has_robot ? ModelFile(robot) : robot.file);
   for (int geom = 0; geom < model->ngeom; ++geom) {
     model->geom_friction[3 * geom] = scenario.world.friction;
   }

@@ -6,9 +6,12 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "controller/mpc/centroidal_solver.h"
 #include "controller/mpc/ocp_json.h"
+#include "controller/types/mpc_params.h"
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
@@ -94,7 +97,7 @@ void AddSolveCommand(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("PROBLEM", arguments->problem, "Problem file (JSON)")->required();
   command->add_option("--backend", arguments->backend, "Solver")
-      ->check(CLI::IsMember({"ipopt", "structured"}))
+      ->check(CLI::IsMember(std::vector<std::string>(kMpcBackends.begin(), kMpcBackends.end())))
       ->capture_default_str();
   command->add_option("--repeat", arguments->repeat, "Cold solves, for the times")
       ->check(CLI::Range(1, 1000000))

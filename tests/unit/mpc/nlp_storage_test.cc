@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No allocation when the next problem has another schedule but the same horizon and feet. Eigen
-// takes memory from malloc, the standard containers from operator new, which ends in malloc too:
-// so malloc counts.
+// No allocation when the next problem has another schedule but the same horizon and feet.
 #include <gtest/gtest.h>
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "controller/mpc/centroidal_nlp.h"
 #include "controller/mpc/nlp_points.h"
 #include "controller/mpc/shifted_guess.h"
+#include "tests/support/allocation_counter.h"
 #include "tests/unit/mpc/mpc_test_support.h"
-
-namespace {
-long num_allocations = 0;
-}  // namespace
-
-extern "C" {
-#ifdef __SANITIZE_ADDRESS__
-// AddressSanitizer owns malloc and calls this at each allocation.
-void __sanitizer_malloc_hook(const volatile void*, std::size_t) { ++num_allocations; }
-void __sanitizer_free_hook(const volatile void*) {}
-#else
-void* __libc_malloc(std::size_t size);  // glibc's own, under the name it keeps for this use.
-void* malloc(std::size_t size) noexcept {
-  ++num_allocations;
-  return __libc_malloc(size);
-}
-#endif
-}
 
 namespace sidestep::mpc {
 namespace {
@@ -55,13 +36,13 @@ CentroidalOcp Walking(int time) {
 }
 
 TEST(NlpStorageTest, TheCounterSeesEigenAndTheStandardContainers) {
-  const long before = num_allocations;
+  const std::int64_t before = CountAllocations();
   Eigen::VectorXd vector;
   vector.resize(before + 100);  // A size that the compiler can't know.
-  EXPECT_EQ(num_allocations, before + 1);
+  EXPECT_EQ(CountAllocations(), before + 1);
   std::vector<int> list;
   list.reserve(static_cast<std::size_t>(before) + 100);
-  EXPECT_EQ(num_allocations, before + 2);
+  EXPECT_EQ(CountAllocations(), before + 2);
 }
 
 TEST(NlpStorageTest, ANewScheduleReusesTheStorageOfTheFirst) {
@@ -71,7 +52,7 @@ TEST(NlpStorageTest, ANewScheduleReusesTheStorageOfTheFirst) {
   }
   CentroidalNlp nlp;
   nlp.SetProblem(problems[0]);
-  const long before = num_allocations;
+  const std::int64_t before = CountAllocations();
   int sizes_seen = 0;
   int last_size = 0;
   for (const CentroidalOcp& ocp : problems) {
@@ -79,7 +60,7 @@ TEST(NlpStorageTest, ANewScheduleReusesTheStorageOfTheFirst) {
     sizes_seen += nlp.num_variables() != last_size ? 1 : 0;
     last_size = nlp.num_variables();
   }
-  EXPECT_EQ(num_allocations, before);
+  EXPECT_EQ(CountAllocations(), before);
   EXPECT_GT(sizes_seen, 1) << "the schedules are all of one size: nothing was tested";
 }
 
@@ -91,13 +72,13 @@ TEST(NlpStorageTest, EvaluatingAllocatesNothing) {
   Eigen::VectorXd gradient(nlp.num_variables()), g(nlp.num_constraints());
   std::vector<double> jacobian(static_cast<std::size_t>(nlp.num_jacobian_entries()));
   std::vector<double> hessian(static_cast<std::size_t>(nlp.num_hessian_entries()));
-  const long before = num_allocations;
+  const std::int64_t before = CountAllocations();
   const double cost = nlp.Cost(x);
   nlp.Gradient(x, gradient);
   nlp.Constraints(x, g);
   nlp.JacobianValues(x, jacobian.data());
   nlp.HessianValues(1.0, g, hessian.data());
-  EXPECT_EQ(num_allocations, before);
+  EXPECT_EQ(CountAllocations(), before);
   EXPECT_GT(cost, 0.0);
 }
 
@@ -108,9 +89,9 @@ TEST(NlpStorageTest, ShiftingOntoTheSameShapesAllocatesNothing) {
   ColdStart(previous_ocp, &previous);
   MpcSolution guess;
   ShiftedGuess(previous_ocp, previous, 1, next_ocp, &guess);
-  const long before = num_allocations;
+  const std::int64_t before = CountAllocations();
   ShiftedGuess(previous_ocp, previous, 1, next_ocp, &guess);
-  EXPECT_EQ(num_allocations, before);
+  EXPECT_EQ(CountAllocations(), before);
 }
 
 }  // namespace

@@ -2,31 +2,14 @@
 // The structured back end takes no memory once it has met its largest problem.
 #include <gtest/gtest.h>
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "controller/mpc/centroidal_mpc.h"
 #include "controller/mpc/centroidal_solver.h"
 #include "controller/mpc/shifted_guess.h"
+#include "tests/support/allocation_counter.h"
 #include "tests/unit/mpc/mpc_test_support.h"
-
-namespace {
-long num_allocations = 0;
-}  // namespace
-
-extern "C" {
-#ifdef __SANITIZE_ADDRESS__
-// AddressSanitizer owns malloc and calls this at each allocation.
-void __sanitizer_malloc_hook(const volatile void*, std::size_t) { ++num_allocations; }
-void __sanitizer_free_hook(const volatile void*) {}
-#else
-void* __libc_malloc(std::size_t size);  // glibc's own, under the name it keeps for this use.
-void* malloc(std::size_t size) noexcept {
-  ++num_allocations;
-  return __libc_malloc(size);
-}
-#endif
-}
 
 namespace sidestep::mpc {
 namespace {
@@ -49,7 +32,7 @@ TEST(StructuredStorageTest, AHundredConsecutiveSolvesOfChangingSchedulesAllocate
   const auto fresh = MakeSolver("structured", {});
   // The answer's own list of phases may grow by one within the first schedules.
   for (const CentroidalOcp& ocp : problems) fresh->Solve(ocp, nullptr);
-  const long before = num_allocations;
+  const std::int64_t before = CountAllocations();
   int num_usable = 0;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -58,7 +41,7 @@ TEST(StructuredStorageTest, AHundredConsecutiveSolvesOfChangingSchedulesAllocate
       num_usable += IsUsable(fresh->Solve(problems[i], guess).status) ? 1 : 0;
     }
   }
-  EXPECT_EQ(num_allocations, before);
+  EXPECT_EQ(CountAllocations(), before);
   EXPECT_EQ(num_usable, 100);
 }
 
@@ -111,14 +94,14 @@ TEST(StructuredStorageTest, TheWholeStageOfTheControlChainAllocatesNothingOnceIt
   long before = 0;
   int num_fallbacks = 0;
   for (int solve = 0; solve < 200; ++solve) {
-    if (solve == 100) before = num_allocations;  // By then every schedule has been seen.
+    if (solve == 100) before = CountAllocations();  // By then every schedule has been seen.
     const Tick tick = solve * kSolve;
     state.p_WC.y() = 0.01 * (solve % 3);
     mpc.Solve(state, plans[static_cast<std::size_t>(solve)], references, tick);
     mpc.Activate(tick);
     num_fallbacks += mpc.report().fell_back ? 1 : 0;
   }
-  EXPECT_EQ(num_allocations, before);
+  EXPECT_EQ(CountAllocations(), before);
   EXPECT_EQ(num_fallbacks, 0);
 }
 

@@ -13,16 +13,6 @@
 
 namespace sidestep::wbc {
 
-// The language lets an explicit instantiation name a private member: the only way to its problem.
-DenseQpProblem& LastProblem(InverseKinematics& inverse_kinematics);
-template <auto kMember>
-struct Reveal {
-  friend DenseQpProblem& LastProblem(InverseKinematics& inverse_kinematics) {
-    return inverse_kinematics.*kMember;
-  }
-};
-template struct Reveal<&InverseKinematics::qp_>;
-
 namespace {
 
 // As in dense_qp_ipopt_test: Ipopt's duality gap is about (number of bounds) * tolerance * scaling,
@@ -42,8 +32,8 @@ double Cost(const DenseQpProblem& problem, const Eigen::VectorXd& x) {
 }
 
 /// The problem of the last solve, which has no CoM rows if those had to give way.
-DenseQpProblem Recorded(InverseKinematics& inverse_kinematics, bool is_exact) {
-  DenseQpProblem problem = LastProblem(inverse_kinematics);
+DenseQpProblem Recorded(const InverseKinematics& inverse_kinematics, bool is_exact) {
+  DenseQpProblem problem = inverse_kinematics.problem();
   if (is_exact) return problem;
   const Eigen::Index rows = problem.A.rows() - 3;
   problem.A.conservativeResize(rows, Eigen::NoChange);
