@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every test of the repository: installs missing packages, builds twice, runs twice.
 #   dev      asserts and sanitizers: unit and layering tests
-#   release  what users run: the QP and allocation tests again and the closed loops
+#   release  what users run: the QP and allocation tests and the closed loops
 # Clean clone to verdict in minutes; a second time only what changed is built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"

@@ -10,6 +10,7 @@
 
 #include "controller/mpc/centroidal_ocp.h"
 #include "controller/types/contact_plan.h"
+#include "controller/types/gravity.h"
 #include "controller/types/mpc_params.h"
 #include "controller/types/robot_state.h"
 #include "controller/types/tick.h"
@@ -19,8 +20,7 @@ namespace sidestep::mpc {
 /// What the builder must know of the robot.
 struct RobotModel {
   double mass_kg{1.0};
-  Eigen::Vector3d gravity_mps2{0.0, 0.0,
-                               -9.81};  ///< As both plants have it unless a model says otherwise.
+  Eigen::Vector3d gravity_mps2{0.0, 0.0, -kGravity_mps2};
   std::vector<std::string> foot_names;
   std::vector<Eigen::Matrix3Xd> vertices_m;  ///< One a foot, 3 x n_v, in F.
 };

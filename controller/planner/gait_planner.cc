@@ -9,12 +9,6 @@
 #include "controller/planner/recovery.h"
 
 namespace sidestep {
-namespace {
-
-constexpr double kGravity_mps2 = 9.81;  // of the capture point's time constant only
-
-}  // namespace
-
 GaitPlanner::GaitPlanner(NominalGait gait, const PlannerParams& params, Tick horizon, double tick_s)
     : gait_(std::move(gait)),
       params_(params),
@@ -60,7 +54,7 @@ void GaitPlanner::NoteLandings(const RobotState& state, Tick tick) {
 
 Eigen::Vector3d GaitPlanner::CapturePointError(const RobotState& state, Tick tick) const {
   const ComReference nominal = Reference(tick, false);
-  const double time_constant_s = std::sqrt(nominal.p_WC.z() / kGravity_mps2);
+  const double time_constant_s = PendulumTimeConstant_s(nominal.p_WC.z());
   Eigen::Vector3d error = state.p_WC - nominal.p_WC + time_constant_s * (state.v_WC - nominal.v_WC);
   error.z() = 0.0;
   return error;

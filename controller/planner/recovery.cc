@@ -5,18 +5,23 @@
 #include <cmath>
 #include <numbers>
 
+#include "controller/types/gravity.h"
+
 namespace sidestep {
 namespace {
 
-constexpr double kGravity_mps2 = 9.81;  // of the time constant only
-constexpr int kDirections = 64;         // of the hull's supporting lines
+constexpr int kDirections = 64;  // of the hull's supporting lines
 
 }  // namespace
 
+double PendulumTimeConstant_s(double height_m) {
+  return std::sqrt(std::max(height_m, 0.1) / kGravity_mps2);
+}
+
 Eigen::Vector2d CapturePoint(const RobotState& state, double mass_kg) {
-  const double rate_sq = kGravity_mps2 / std::max(state.p_WC.z(), 0.1);
-  return state.p_WC.head<2>() + state.v_WC.head<2>() / std::sqrt(rate_sq) +
-         state.external_wrench.force_N.head<2>() / (mass_kg * rate_sq);
+  const double time_constant_s = PendulumTimeConstant_s(state.p_WC.z());
+  return state.p_WC.head<2>() + time_constant_s * state.v_WC.head<2>() +
+         time_constant_s * time_constant_s / mass_kg * state.external_wrench.force_N.head<2>();
 }
 
 // A point lies as far outside a convex hull as beyond its farthest supporting line. 64 lines make

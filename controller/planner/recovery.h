@@ -15,6 +15,9 @@
 
 namespace sidestep {
 
+/// 1/w (s) of an inverted pendulum of this height (m), taken as 0.1 m if it is less.
+double PendulumTimeConstant_s(double height_m);
+
 /// xi of the belief (m, horizontal, in W).
 Eigen::Vector2d CapturePoint(const RobotState& state, double mass_kg);
 

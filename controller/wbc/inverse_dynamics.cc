@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/wbc/inverse_dynamics.h"
 
-#include <limits>
-
 #include "controller/model/upright.h"
 #include "models/support/require.h"
 
@@ -13,7 +11,6 @@ constexpr Eigen::Index kBase = 6;             // unactuated rows
 constexpr Eigen::Index kPyramidRows = 4;      // |fx| + |fy| <= mu fz implies fz >= 0
 constexpr double kStandWeight = 10.0;         // a standing foot does not accelerate
 constexpr double kStandDamping_per_s = 20.0;  // and loses what speed it has
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Index MaxForces(const RobotDescription& robot) {
   Eigen::Index vertices = 0;

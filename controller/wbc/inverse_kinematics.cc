@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "controller/wbc/com_zmp_correction.h"
 #include "models/support/require.h"
@@ -16,7 +15,6 @@ constexpr Eigen::Index kFootRows = 6;     // linear, angular
 constexpr double kSoftComWeight = 1e2;    // when the hard tasks contradict each other
 constexpr double kBaseDamping = 1e-6;     // of a base twist that no task asks for
 constexpr double kMinCarriedShare = 0.1;  // of the weight, for a ZMP worth believing
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Rotation vector (rad) in W that turns `from` into `to`.
 Eigen::Vector3d RotationError_W(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {

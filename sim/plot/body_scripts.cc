@@ -7,22 +7,17 @@
 namespace sidestep::plot {
 namespace {
 
-constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-
 // A foot that bears less than this has no centre of pressure worth a line.
 constexpr const char* kLeastLoad_N = "5";
 
-std::string Style(const std::string& color, const std::string& more) {
-  return "linecolor rgb \"" + color + "\" " + more;
-}
-
 std::string TrueAndFelt(const std::string& quantity, const std::string& suffix, bool has_key) {
   return "plot " +
-         Curve("push_" + quantity + suffix, Style(kTruthColor, "linewidth 1.6"),
+         Curve("push_" + quantity + suffix, LineStyle(kTruthColor, "linewidth 1.6"),
                has_key ? "true" : "") +
          ", \\\n  " +
          Curve("belief_push_" + quantity + suffix,
-               Style(kReferenceColor, "linewidth 1.3 dashtype (6,3)"), has_key ? "believed" : "");
+               LineStyle(kReferenceColor, "linewidth 1.3 dashtype (6,3)"),
+               has_key ? "believed" : "");
 }
 
 // Distance of the centre of pressure from F along an axis of W: -m_y / f_z and m_x / f_z.
@@ -61,9 +56,10 @@ std::string FeetScript(const PlotData& data) {
       "linewidth 0.5 notitle";
   for (std::size_t i = 0; i < data.feet.size(); ++i) {
     const std::string suffix = data.feet[i] + "_z_m";
-    script += ", \\\n  " + Curve("truth_p_WF_" + suffix, Style(FootColor(i), "linewidth 1.5"), "");
+    script +=
+        ", \\\n  " + Curve("truth_p_WF_" + suffix, LineStyle(FootColor(i), "linewidth 1.5"), "");
     script += ", \\\n  " + Curve("swing_p_WF_" + suffix,
-                                 Style(FootColor(i), "linewidth 1.1 dashtype (5,3)"), "");
+                                 LineStyle(FootColor(i), "linewidth 1.1 dashtype (5,3)"), "");
   }
   for (const bool is_x : {true, false}) {
     script += std::string("\nset ylabel 'CoP, ") + (is_x ? "x" : "y") + " from F (m)' offset 1\n";
@@ -72,11 +68,11 @@ std::string FeetScript(const PlotData& data) {
     for (std::size_t i = 0; i < data.feet.size(); ++i) {
       script += ", \\\n  '" + std::string(kThinnedFile) +
                 "' using \"time_s\":" + Pressure(data.feet[i], is_x) + " with lines " +
-                Style(FootColor(i), "linewidth 1.4 ") +
+                LineStyle(FootColor(i), "linewidth 1.4 ") +
                 (is_x ? "notitle" : "title " + Verbatim(data.feet[i]));
     }
   }
-  script += ", \\\n  keyentry with lines " + Style(kNominalColor, "dashtype (5,3)") +
+  script += ", \\\n  keyentry with lines " + LineStyle(kNominalColor, "dashtype (5,3)") +
             " title 'wanted', \\\n  " + PushKey(data) + "\n";
   return script + "unset multiplot\n";
 }

@@ -7,12 +7,6 @@
 namespace sidestep::plot {
 namespace {
 
-constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-
-std::string Style(const std::string& color, const std::string& more = "linewidth 1.6") {
-  return "linecolor rgb \"" + color + "\" " + more;
-}
-
 // One panel: the CoM's position or velocity along an axis.
 std::string ComPanel(const PlotData& data, const std::string& quantity, const std::string& unit,
                      const std::string& axis, bool has_key) {
@@ -21,14 +15,14 @@ std::string ComPanel(const PlotData& data, const std::string& quantity, const st
   };
   const auto title = [&](const char* text) { return has_key ? text : ""; };
   std::string script = "plot ";
-  script += Curve(column("reference"), Style(kReferenceColor), title("reference")) + ", \\\n  ";
-  script += Curve(column("mpc"), Style(kMpcColor, "linewidth 1.1 dashtype (6,3)"),
+  script += Curve(column("reference"), LineStyle(kReferenceColor), title("reference")) + ", \\\n  ";
+  script += Curve(column("mpc"), LineStyle(kMpcColor, "linewidth 1.1 dashtype (6,3)"),
                   title("planned by the MPC")) +
             ", \\\n  ";
-  script +=
-      Curve(column("belief"), Style("#CC79A7", "linewidth 1.1 dashtype (2,2)"), title("believed")) +
-      ", \\\n  ";
-  script += Curve(column("truth"), Style(kTruthColor), title("true"));
+  script += Curve(column("belief"), LineStyle("#CC79A7", "linewidth 1.1 dashtype (2,2)"),
+                  title("believed")) +
+            ", \\\n  ";
+  script += Curve(column("truth"), LineStyle(kTruthColor), title("true"));
   if (has_key) script += ", \\\n  " + PushKey(data);
   return script + "\n";
 }
@@ -59,17 +53,18 @@ std::string MomentumScript(const PlotData& data) {
   const auto three = [&](const std::string& stem, const std::string& unit, bool has_key) {
     std::string lines;
     for (std::size_t i = 0; i < 3; ++i) {
-      lines += (i == 0 ? "plot " : ", \\\n  ") + Curve(stem + "_" + kAxes[i] + "_" + unit,
-                                                       Style(kColors[i]), has_key ? kAxes[i] : "");
+      lines +=
+          (i == 0 ? "plot " : ", \\\n  ") +
+          Curve(stem + "_" + kAxes[i] + "_" + unit, LineStyle(kColors[i]), has_key ? kAxes[i] : "");
     }
     return lines;
   };
   script += "set ylabel 'push (N)'\n" + three("push_force_W", "N", false) + "\n";
   script += "set ylabel 'h about C (kg m²/s)'\n" + three("truth_h_C_W", "kgm2ps", true) +
-            ", \\\n  keyentry with lines " + Style("#CC79A7") +
+            ", \\\n  keyentry with lines " + LineStyle("#CC79A7") +
             " title 'tilt of the base', \\\n  " + PushKey(data) + "\n";
   script += "set ylabel 'tilt (rad)'\nset xlabel 'time (s)'\nset yrange [0:*]\nplot " +
-            Curve("truth_tilt_rad", Style("#CC79A7"), "") + "\n";
+            Curve("truth_tilt_rad", LineStyle("#CC79A7"), "") + "\n";
   return script + "unset multiplot\n";
 }
 
@@ -88,13 +83,13 @@ std::string SolveScript(const PlotData& data) {
   script << "plot 0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle";
   if (data.has_solves) {
     script << ", \\\n  '../mpc.csv' using \"time_s\":\"iterations\" axes x1y2 with steps "
-           << Style(kReferenceColor, "linewidth 1.0") << " title 'iterations (right axis)'"
+           << LineStyle(kReferenceColor, "linewidth 1.0") << " title 'iterations (right axis)'"
            << ", \\\n  '../mpc.csv' using \"time_s\":\"wall_ms\" with points pointtype 7 "
            << "pointsize 0.45 linecolor rgb \"" << kTruthColor << "\" title 'solve time'";
   }
   if (data.deadline_ms > 0.0) {
     script << ", \\\n  " << data.deadline_ms << " with lines "
-           << Style("#D55E00", "linewidth 1.4 dashtype (8,4)") << " title 'deadline'";
+           << LineStyle("#D55E00", "linewidth 1.4 dashtype (8,4)") << " title 'deadline'";
   }
   script << ", \\\n  " << PushKey(data) << "\nunset multiplot\n";
   return script.str();

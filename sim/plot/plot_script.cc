@@ -71,6 +71,10 @@ std::string Curve(const std::string& column, const std::string& style, const std
          style + (title.empty() ? " notitle" : " title " + Verbatim(title));
 }
 
+std::string LineStyle(const std::string& color, const std::string& more) {
+  return "linecolor rgb \"" + color + "\" " + more;
+}
+
 std::string PushKey(const PlotData& data) {
   if (data.pushes.empty()) return "keyentry with points pointtype 0 title ' '";
   std::string key = "keyentry with boxes fillcolor rgb \"";

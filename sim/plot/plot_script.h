@@ -5,6 +5,7 @@
 // Colours are Okabe and Ito's, which colour-blind people can tell apart; black is kept for text,
 // so that a report may recolour it on a dark page. Legends stand below the panels, never on data.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ inline constexpr const char* kReferenceColor = "#E69F00";
 inline constexpr const char* kMpcColor = "#009E73";
 inline constexpr const char* kNominalColor = "#808080";
 inline constexpr const char* kPushColor = "#CC0066";
+
+inline constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 
 /// Colour of the i-th foot.
 std::string FootColor(std::size_t foot);
@@ -44,6 +47,9 @@ std::string Verbatim(const std::string& text);
 
 /// One line of a thinned column over time: `'' using "time_s":"column" with lines ...`.
 std::string Curve(const std::string& column, const std::string& style, const std::string& title);
+
+/// A line's colour and, in gnuplot's words, `more` of its style.
+std::string LineStyle(const std::string& color, const std::string& more = "linewidth 1.6");
 
 /// A legend entry for the shaded push windows, or nothing without pushes. Ends in no comma.
 std::string PushKey(const PlotData& data);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "controller/types/gravity.h"
 #include "models/support/require.h"
 #include "sim/verdict/expectations.h"
 #include "sim/verdict/fall_meter.h"
@@ -24,7 +25,6 @@ namespace sidestep {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kLoadedShare = 0.05;  // of the weight: a foot with less on it does not stand.
 constexpr double kAfterFall_s = 0.5;   // lets the video show that it fell
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "controller/types/gravity.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
 #include "models/support/require.h"
@@ -10,7 +11,6 @@
 namespace sidestep {
 namespace {
 
-constexpr double kGravity_mps2 = 9.81;
 constexpr int kFreeJointSize = 7;  // numbers of a free joint in qpos
 constexpr char kCom[] = "com";     // as the drawn stand-in and the scenario's pushes call it
 

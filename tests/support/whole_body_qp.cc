@@ -2,7 +2,6 @@
 #include "tests/support/whole_body_qp.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace sidestep::wbc {
 
@@ -10,8 +9,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // One friction pyramid of slope 0.7 with 0 <= f_z <= 500 N: five rows on three columns.
 void WriteFrictionRows(int row, int column, DenseQpProblem& problem) {

@@ -7,6 +7,9 @@
 
 namespace sidestep::mpc::structured {
 
+/// A count that is never negative, as the standard library's sizes.
+inline std::size_t Size(int count) { return static_cast<std::size_t>(count); }
+
 /// A stock of doubles handed out from the front in whole cache lines. Grows, never shrinks.
 class Arena {
  public:

@@ -4,12 +4,6 @@
 #include <algorithm>
 
 namespace sidestep::mpc::structured {
-namespace {
-
-std::size_t Size(int count) { return static_cast<std::size_t>(count); }
-
-}  // namespace
-
 void Memory::Take(const ProblemView& view, Workspace* workspace) {
   const std::size_t point = Size(view.at.size);
   const std::size_t slots = Size(view.num_slots);

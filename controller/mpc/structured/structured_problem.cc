@@ -8,8 +8,6 @@ namespace {
 
 constexpr int RoundUp(int count) { return (count + 3) / 4 * 4; }
 
-std::size_t Size(int count) { return static_cast<std::size_t>(count); }
-
 }  // namespace
 
 int StructuredProblem::LocationIndex(int contact, int phase) const {

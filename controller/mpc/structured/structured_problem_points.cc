@@ -6,12 +6,6 @@
 #include "controller/mpc/structured/structured_problem.h"
 
 namespace sidestep::mpc::structured {
-namespace {
-
-std::size_t Size(int count) { return static_cast<std::size_t>(count); }
-
-}  // namespace
-
 void StructuredProblem::Build(const CentroidalOcp& ocp) {
   Reserve(ocp);
   FindLocations(ocp);

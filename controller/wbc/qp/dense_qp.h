@@ -21,6 +21,7 @@
 // residuals from the caller's data, so passes also act as iterative refinement.
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 
 namespace sidestep::wbc {
@@ -28,6 +29,8 @@ namespace sidestep::wbc {
 namespace internal {
 class QpWorkspace;
 }
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();  ///< No bound.
 
 /// Sizes of a problem, or the largest sizes a solver has room for.
 struct DenseQpDimensions {
@@ -43,8 +46,8 @@ struct DenseQpProblem {
   Eigen::MatrixXd A;      ///< m_e x n, of any rank.
   Eigen::VectorXd b;      ///< m_e
   Eigen::MatrixXd C;      ///< m_i x n; dependent, duplicate and zero rows are allowed.
-  Eigen::VectorXd lower;  ///< m_i; -infinity for none.
-  Eigen::VectorXd upper;  ///< m_i; +infinity for none. upper == lower makes an equality.
+  Eigen::VectorXd lower;  ///< m_i; -kInfinity for none.
+  Eigen::VectorXd upper;  ///< m_i; kInfinity for none. upper == lower makes an equality.
 };
 
 /// A problem that looks at someone else's data, shapes as in DenseQpProblem. A caller whose sizes

@@ -4,17 +4,14 @@
 #include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sidestep::wbc::internal {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // A unit normal whose part outside the active ones is shorter than this depends on them. Rounding
 // in N reaches 1e-12 where the regularised Hessian is flat.
-constexpr double kDependentNorm = 1e-10;
+constexpr double kDependentNormal = 1e-10;
 
 // Coefficients below this share of the largest are rounding.
 constexpr double kCoefficientNoise = 1e-12;
@@ -74,7 +71,7 @@ bool Projection::Append(int row, double sign) {
   }
   auto tail = rotated_.segment(active_, rest);
   const double norm = tail.norm();
-  if (!(norm > kDependentNorm)) {
+  if (!(norm > kDependentNormal)) {
     return false;
   }
   // Reflect the tail onto one axis, and the free columns of Q with it.
@@ -202,7 +199,7 @@ Projection::Step Projection::StepTowards(int row, double sign, double& new_multi
   }
   const double free_norm_sq = rotated.tail(rest).squaredNorm();
   double primal_step = kInfinity;
-  if (free_norm_sq > kDependentNorm * kDependentNorm) {
+  if (free_norm_sq > kDependentNormal * kDependentNormal) {
     const double violation = BoundOf(row, sign) - sign * normal.dot(y_.head(dimension_));
     primal_step = std::max(violation, 0.0) / free_norm_sq;
   } else if (blocking < 0) {

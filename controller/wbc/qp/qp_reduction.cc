@@ -2,7 +2,6 @@
 // The change of coordinates: from the caller's problem to a projection onto a polyhedron.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "controller/wbc/qp/kernels.h"
 #include "controller/wbc/qp/qp_workspace.h"
@@ -10,8 +9,6 @@
 namespace sidestep::wbc::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Bounds closer than this (relative) are one equality: a gap of rounding size has no inside.
 constexpr double kPinGap = 1e-12;

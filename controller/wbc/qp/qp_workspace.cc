@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sidestep::wbc::internal {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Share of the tolerance that the projection may leave as violation; the rest is for rounding.
 constexpr double kProjectionShare = 0.1;

@@ -7,7 +7,7 @@
 
 #include "models/support/require.h"
 
-namespace sidestep {
+namespace sidestep::joint_servos_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -120,4 +120,4 @@ TEST(JointServosTest, CommandsOfAnotherShapeBreakTheContract) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::joint_servos_test

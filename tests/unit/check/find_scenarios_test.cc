@@ -6,7 +6,7 @@
 #include "models/support/config_error.h"
 #include "tests/unit/check/check_test_support.h"
 
-namespace sidestep {
+namespace sidestep::find_scenarios_test {
 namespace {
 
 using Paths = std::vector<std::filesystem::path>;
@@ -38,4 +38,4 @@ TEST(FindScenariosTest, AMissingPathAndAFolderWithoutScenariosAreErrors) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::find_scenarios_test

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace sidestep {
+namespace sidestep::junit_test {
 namespace {
 
 Outcome Make(const std::string& name, RunClass run_class, std::vector<std::string> reasons) {
@@ -77,4 +77,4 @@ TEST(JunitTest, ThreeVerdictsGiveTheirElementsAndTotals) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::junit_test

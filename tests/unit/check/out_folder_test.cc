@@ -8,7 +8,7 @@
 #include "models/support/config_error.h"
 #include "tests/unit/check/check_test_support.h"
 
-namespace sidestep {
+namespace sidestep::out_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ TEST(WriteTextFileTest, MakesTheFolderAndRefusesAPathItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::out_folder_test

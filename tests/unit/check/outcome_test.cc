@@ -7,7 +7,7 @@
 
 #include "tests/unit/check/check_test_support.h"
 
-namespace sidestep {
+namespace sidestep::outcome_test {
 namespace {
 
 constexpr const char* kPassSummary = R"({"verdict": "PASS", "reasons": [], "real_time_factor": 1.5,
@@ -91,4 +91,4 @@ TEST(OutcomeTableTest, EveryScenarioHasOneAlignedRowAndTheLastLineCounts) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::outcome_test

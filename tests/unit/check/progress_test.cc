@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sidestep {
+namespace sidestep::progress_test {
 namespace {
 
 TEST(ProgressTextTest, HalfWayHalfTheBarIsFullAndAsMuchTimeIsLeftAsWasTaken) {
@@ -26,4 +26,4 @@ TEST(ProgressTextTest, AShareOutOfRangeStaysInTheBar) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::progress_test

@@ -12,7 +12,7 @@
 
 #include "tests/unit/check/check_test_support.h"
 
-namespace sidestep {
+namespace sidestep::run_checks_test {
 namespace {
 
 // Called as: script run FILE --out DIR ...; does what the file says.
@@ -103,4 +103,4 @@ TEST(RunChecksTest, AProgramThatCannotBeStartedIsInvalid) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::run_checks_test

@@ -10,7 +10,7 @@
 #include "tests/support/icub3.h"
 #include "tests/support/reference_robot.h"
 
-namespace sidestep {
+namespace sidestep::chest_imu_test {
 namespace {
 
 constexpr double kStep_s = 1e-4;  // of differences
@@ -173,4 +173,4 @@ TEST_F(StandingDriftTest, WithIcubsOwnSettingsHardlyAnythingIsLeftOfTheBias) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::chest_imu_test

@@ -10,7 +10,7 @@
 #include "controller/estimator/truth_estimator.h"
 #include "tests/support/box_biped.h"
 
-namespace sidestep {
+namespace sidestep::force_sensing_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -203,4 +203,4 @@ TEST_F(ForceSensingTest, InertiaOfAMovingArmIsNotTakenForAPush) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::force_sensing_test

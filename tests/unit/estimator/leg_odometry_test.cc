@@ -9,7 +9,7 @@
 #include "tests/support/control_loop.h"
 #include "tests/support/hopper_scenario.h"
 
-namespace sidestep {
+namespace sidestep::leg_odometry_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -188,4 +188,4 @@ TEST(LegOdometryOnMujocoTest, StandingOnNoisySensorsItIsBetterStill) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::leg_odometry_test

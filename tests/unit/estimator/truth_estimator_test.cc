@@ -5,7 +5,7 @@
 
 #include "models/support/require.h"
 
-namespace sidestep {
+namespace sidestep::truth_estimator_test {
 namespace {
 
 RobotDescription Hopper() {
@@ -84,4 +84,4 @@ TEST(CentroidalEstimatorTest, FrameWithoutReducedStateBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::truth_estimator_test

@@ -10,7 +10,7 @@
 #include "tests/support/icub3.h"
 #include "tests/support/reference_robot.h"
 
-namespace sidestep {
+namespace sidestep::force_torque_test {
 namespace {
 
 const Eigen::Vector3d kGravity_mps2(0.0, 0.0, -9.81);
@@ -159,4 +159,4 @@ TEST_P(ForceTorqueTest, PredictionLeavesTheRestOfTheModelAlone) {
 INSTANTIATE_TEST_SUITE_P(Variants, ForceTorqueTest, testing::Range(0, 2));
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::force_torque_test

@@ -10,7 +10,7 @@
 #include "tests/support/icub3.h"
 #include "tests/support/reference_robot.h"
 
-namespace sidestep {
+namespace sidestep::icub3_rigid_body_test {
 namespace {
 
 constexpr double kStep = 1e-5;
@@ -144,4 +144,4 @@ TEST(Icub3LimitsTest, JointsWithoutARangeHaveNoLimits) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::icub3_rigid_body_test

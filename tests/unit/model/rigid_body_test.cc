@@ -11,7 +11,7 @@
 #include "tests/support/crooked_robot.h"
 #include "tests/support/reference_robot.h"
 
-namespace sidestep {
+namespace sidestep::rigid_body_test {
 namespace {
 
 constexpr double kStep = 1e-5;
@@ -267,4 +267,4 @@ TEST(RigidBodyHopperTest, NamesThatTheMjcfLacksAreConfigErrors) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::rigid_body_test

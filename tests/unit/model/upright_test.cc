@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace sidestep {
+namespace sidestep::upright_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -42,4 +42,4 @@ TEST(UprightTest, UpsideDownIsFinite) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::upright_test

@@ -8,7 +8,7 @@
 
 #include "models/support/config_error.h"
 
-namespace sidestep {
+namespace sidestep::config_node_test {
 namespace {
 
 /// The error that `read` gives on the value of `key: <value>`, "no error" if it gives none.
@@ -226,4 +226,4 @@ TEST(NumberTextTest, ReadsBackAsTheSameDouble) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::config_node_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::config_text_test {
 namespace {
 
 std::string FaultOf(const std::string& text) {
@@ -65,4 +65,4 @@ TEST(ConfigTextTest, RefusesMoreThanOneMebibyte) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::config_text_test

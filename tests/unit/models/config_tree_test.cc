@@ -7,7 +7,7 @@
 
 #include "models/support/config_error.h"
 
-namespace sidestep {
+namespace sidestep::config_tree_test {
 namespace {
 
 std::string ErrorIn(const std::string& text, const ConfigSource& source = {"a.yaml", true}) {
@@ -106,4 +106,4 @@ TEST(ConfigTreeTest, ErrorsInAnOptionTellTheColumnOfTheValue) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::config_tree_test

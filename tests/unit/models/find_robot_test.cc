@@ -5,7 +5,7 @@
 #include "models/robot_description/robot_description.h"
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::find_robot_test {
 namespace {
 
 /// Robots `a` and `b` in a models folder of the test's own, beside a folder without a robot.yaml.
@@ -71,4 +71,4 @@ TEST_F(FindRobotTest, EveryRobotThatShipsCanBeRead) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::find_robot_test

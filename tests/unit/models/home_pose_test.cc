@@ -9,7 +9,7 @@
 #include "models/support/config_error.h"
 #include "tests/support/crooked_robot.h"
 
-namespace sidestep {
+namespace sidestep::home_pose_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -110,4 +110,4 @@ TEST_F(HomePoseTest, NamesThatTheModelLacksAreConfigErrors) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::home_pose_test

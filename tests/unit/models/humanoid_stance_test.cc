@@ -6,7 +6,7 @@
 
 #include "tests/unit/models/robot_on_floor.h"
 
-namespace sidestep {
+namespace sidestep::humanoid_stance_test {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
@@ -144,4 +144,4 @@ TEST(Icub3StanceTest, AnArmThatMeetsTheTrunkIsAContactOfTheRobotWithItself) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::humanoid_stance_test

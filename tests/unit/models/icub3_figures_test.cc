@@ -10,7 +10,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_description.h"
 
-namespace sidestep {
+namespace sidestep::icub3_figures_test {
 namespace {
 
 const std::filesystem::path kSource{SIDESTEP_SOURCE_DIR};
@@ -167,4 +167,4 @@ TEST_F(Icub3FiguresTest, MotorsAndServosHaveTheirFigures) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::icub3_figures_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace sidestep {
+namespace sidestep::mass_properties_test {
 namespace {
 
 /// Two point masses make the simplest body: of 2 kg at +y and 1 kg at -2 y, 3 kg at the origin.
@@ -53,4 +53,4 @@ TEST(MassPropertiesTest, OnlyPossibleInertiasArePhysical) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::mass_properties_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sidestep {
+namespace sidestep::nearest_name_test {
 namespace {
 
 const std::vector<std::string> kNames{"swing_s", "swing_height_m", "stance_s", "fps"};
@@ -44,4 +44,4 @@ TEST(NearestNameTest, SuggestsOrListsTheKnownOnes) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::nearest_name_test

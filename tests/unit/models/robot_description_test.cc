@@ -8,7 +8,7 @@
 #include "models/support/config_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::robot_description_test {
 namespace {
 
 const std::filesystem::path kRobots =
@@ -186,4 +186,4 @@ TEST_F(RobotErrorTest, NamesInTellsAnMjcfThatVanished) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::robot_description_test

@@ -6,7 +6,7 @@
 #include "models/support/config_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::urdf_robot_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -175,4 +175,4 @@ TEST_F(UrdfRobotErrorTest, SelfCollision) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::urdf_robot_test

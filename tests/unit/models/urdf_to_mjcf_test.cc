@@ -9,7 +9,7 @@
 #include "models/support/config_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::urdf_to_mjcf_test {
 namespace {
 
 const std::filesystem::path kMini =
@@ -178,4 +178,4 @@ TEST_F(UrdfErrorTest, WhatCantBecomeARobotIsToldByName) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::urdf_to_mjcf_test

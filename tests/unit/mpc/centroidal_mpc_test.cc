@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::centroidal_mpc_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -226,4 +226,4 @@ TEST_F(CentroidalMpcTest, FootThatFlewOrFliesHasNoPreviousForce) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::centroidal_mpc_test

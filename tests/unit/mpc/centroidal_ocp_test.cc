@@ -6,7 +6,7 @@
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::centroidal_ocp_test {
 namespace {
 
 CentroidalOcp WithOneFoot() {
@@ -60,4 +60,4 @@ TEST(CentroidalOcpTest, EveryInconsistencyBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::centroidal_ocp_test

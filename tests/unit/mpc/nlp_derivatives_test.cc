@@ -10,7 +10,7 @@
 #include "controller/mpc/centroidal_nlp.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::nlp_derivatives_test {
 namespace {
 
 constexpr int kKnots = 5;
@@ -187,4 +187,4 @@ INSTANTIATE_TEST_SUITE_P(Patterns, NlpDerivativesTest, testing::ValuesIn(AllPatt
                          [](const auto& at) { return std::string(at.param.name); });
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::nlp_derivatives_test

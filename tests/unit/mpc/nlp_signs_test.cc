@@ -7,7 +7,7 @@
 #include "controller/mpc/nlp_points.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::nlp_signs_test {
 namespace {
 
 constexpr double kTolerance = 1e-12;  // A handful of operations on numbers of order ten.
@@ -243,4 +243,4 @@ TEST_F(NlpSignsTest, FrictionIsViolatedInNewtonsInTheContactFrame) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::nlp_signs_test

@@ -10,7 +10,7 @@
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::ocp_json_test {
 namespace {
 
 using nlohmann::json;
@@ -290,4 +290,4 @@ TEST(OcpJsonTest, WritingInconsistentShapesBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::ocp_json_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::problem_builder_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -181,4 +181,4 @@ TEST(FrictionPyramidTest, HoldsWhatItsConeHoldsAtItsCornersAndNeverMore) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::problem_builder_test

@@ -11,7 +11,7 @@
 #include "controller/mpc/nlp_points.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::reference_problems_test {
 namespace {
 
 constexpr double kCostTolerance = 1e-6;       // Relative; files carry ten digits.
@@ -155,4 +155,4 @@ TEST(ReferenceProblemsTest, TheFolderHoldsTheProblemsThatTheseTestsAreWorth) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::reference_problems_test

@@ -7,7 +7,7 @@
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::shifted_guess_test {
 namespace {
 
 constexpr int kKnots = 6;
@@ -172,4 +172,4 @@ TEST(ShiftedGuessTest, AnotherHorizonLengthIsAllowedAndOtherFeetAreNot) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::shifted_guess_test

@@ -8,7 +8,7 @@
 #include "controller/mpc/shifted_guess.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::solver_laws_test {
 namespace {
 
 // Solutions of two different runs agree to what a tolerance of 1e-8 leaves of the flattest
@@ -185,4 +185,4 @@ INSTANTIATE_TEST_SUITE_P(BackEnds, WarmStartTest, testing::Values("ipopt", "stru
                          [](const auto& at) { return std::string(at.param); });
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::solver_laws_test

@@ -8,7 +8,7 @@
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::solver_status_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -181,4 +181,4 @@ TEST(SolveStatusTest, StatusesHaveTheirOwnNames) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::solver_status_test

@@ -14,7 +14,7 @@
 #include "controller/mpc/structured/structured_problem.h"
 #include "tests/unit/mpc/random_ocp.h"
 
-namespace sidestep::mpc::structured {
+namespace sidestep::mpc::structured::structured_core_test {
 namespace {
 
 /// A laid-out problem at a random point, ready for a Newton step.
@@ -295,4 +295,4 @@ TEST(FilterTest, RefusesWhatIsNoBetterInEitherMeasure) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc::structured
+}  // namespace sidestep::mpc::structured::structured_core_test

@@ -10,7 +10,7 @@
 #include "controller/mpc/shifted_guess.h"
 #include "tests/unit/mpc/random_ocp.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::structured_solver_test {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__  // The unoptimised build is fifty times slower.
@@ -130,4 +130,4 @@ TEST(StructuredSolverTest, IterationsGrowLittleWithTheHorizon) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::structured_solver_test

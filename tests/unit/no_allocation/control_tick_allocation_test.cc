@@ -10,7 +10,7 @@
 #include "tests/support/control_loop.h"
 #include "tests/support/hopper_scenario.h"
 
-namespace sidestep {
+namespace sidestep::control_tick_allocation_test {
 namespace {
 
 // Standing, first stance, flight and landing: every shape of the whole-body problem occurs.
@@ -62,4 +62,4 @@ TEST(ControlTickAllocationTest, TickWithoutSolveTakesNoMemoryOnTruthWithAKnownPu
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::control_tick_allocation_test

@@ -9,7 +9,7 @@
 #include "tests/support/allocation_counter.h"
 #include "tests/support/control_loop.h"
 
-namespace sidestep {
+namespace sidestep::humanoid_tick_allocation_test {
 namespace {
 
 // One step of each foot: every shape of contacts within the horizon has been planned, or nearly.
@@ -70,4 +70,4 @@ TEST(HumanoidTickAllocationTest, WalkingAndPushedIcubTakesNoMemoryInAnyTick) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::humanoid_tick_allocation_test

@@ -5,7 +5,7 @@
 #include "sim/actuators/joint_servos.h"
 #include "tests/support/allocation_counter.h"
 
-namespace sidestep {
+namespace sidestep::joint_servos_allocation_test {
 namespace {
 
 TEST(JointServosAllocationTest, CommandsAndStepsTakeNoMemory) {
@@ -31,4 +31,4 @@ TEST(JointServosAllocationTest, CommandsAndStepsTakeNoMemory) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::joint_servos_allocation_test

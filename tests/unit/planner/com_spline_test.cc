@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sidestep {
+namespace sidestep::com_spline_test {
 namespace {
 
 constexpr double kDuration_s = 0.4;
@@ -53,4 +53,4 @@ TEST(ComSplineTest, OutsideItsDurationItRestsAtTheEnds) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::com_spline_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/planner/planner_test_support.h"
 
-namespace sidestep {
+namespace sidestep::gait_planner_test {
 namespace {
 
 constexpr Tick kHorizon = 1000;
@@ -236,4 +236,4 @@ TEST(GaitPlannerTest, StandingReferenceRests) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::gait_planner_test

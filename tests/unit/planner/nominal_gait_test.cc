@@ -9,7 +9,7 @@
 #include "models/support/require.h"
 #include "tests/unit/planner/planner_test_support.h"
 
-namespace sidestep {
+namespace sidestep::nominal_gait_test {
 namespace {
 
 constexpr Tick kEnd = 8000;
@@ -250,4 +250,4 @@ TEST(NominalGaitTest, StandingOnlyHasTwoRestingKnots) {
 TEST(NominalGaitTest, NoSegmentsBreakTheContract) { EXPECT_THROW(Build({}, 2), ContractViolation); }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::nominal_gait_test

@@ -8,7 +8,7 @@
 #include "controller/planner/gait_planner.h"
 #include "tests/unit/planner/planner_test_support.h"
 
-namespace sidestep {
+namespace sidestep::recovery_test {
 namespace {
 
 constexpr Tick kHorizon = 1000;
@@ -104,4 +104,4 @@ TEST(RecoveryTest, StepsBeginOnTheGridOnly) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::recovery_test

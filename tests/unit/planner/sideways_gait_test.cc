@@ -8,7 +8,7 @@
 #include "controller/planner/gait_planner.h"
 #include "tests/unit/planner/planner_test_support.h"
 
-namespace sidestep {
+namespace sidestep::sideways_gait_test {
 namespace {
 
 constexpr Tick kEnd = 8000;
@@ -150,4 +150,4 @@ TEST(SidewaysWalkTest, StandingAfterwardsBringsTheFeetTogetherAndRests) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::sideways_gait_test

@@ -5,7 +5,7 @@
 #include "controller/planner/gait_planner.h"
 #include "tests/unit/planner/planner_test_support.h"
 
-namespace sidestep {
+namespace sidestep::step_width_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -135,4 +135,4 @@ TEST(StepWidthOfOneFootTest, HopperHasNoWidth) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::step_width_test

@@ -19,7 +19,7 @@
 #include "sim/process/process.h"
 #include "tests/support/synthetic_run.h"
 
-namespace sidestep {
+namespace sidestep::plot_run_test {
 namespace {
 
 using ::sidestep::testing::FreshTestDir;
@@ -177,4 +177,4 @@ TEST(PlotScriptTest, ANameCannotEndItsQuotes) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::plot_run_test

@@ -9,7 +9,7 @@
 
 #include "models/support/config_error.h"
 
-namespace sidestep {
+namespace sidestep::process_test {
 namespace {
 
 TEST(ProcessTest, WhatGoesInComesOut) { EXPECT_EQ(RunProcess({"cat"}, "hello\n").out, "hello\n"); }
@@ -74,4 +74,4 @@ TEST(ProcessTest, AnUnfinishedProgramIsEndedWithItsObject) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::process_test

@@ -10,7 +10,7 @@
 #include "tests/support/ipopt_dense_qp.h"
 #include "tests/support/random_dense_qp.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::dense_qp_ipopt_test {
 namespace {
 
 // Ipopt stops at this scaled optimality error.
@@ -71,4 +71,4 @@ INSTANTIATE_TEST_SUITE_P(AllFamilies, DenseQpIpoptTest, testing::ValuesIn(kAllQp
                          [](const auto& param) { return std::string(ToString(param.param)); });
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::dense_qp_ipopt_test

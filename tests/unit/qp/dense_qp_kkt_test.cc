@@ -9,7 +9,7 @@
 #include "controller/wbc/qp/dense_qp.h"
 #include "tests/support/random_dense_qp.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::dense_qp_kkt_test {
 namespace {
 
 // Sanitizers look for other mistakes than the optimised build, which runs the full number.
@@ -121,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(AllFamilies, DenseQpFamilyTest, testing::ValuesIn(kAllQ
                          [](const auto& param) { return std::string(ToString(param.param)); });
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::dense_qp_kkt_test

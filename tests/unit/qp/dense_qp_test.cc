@@ -9,7 +9,7 @@
 
 #include "models/support/require.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::dense_qp_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -264,4 +264,4 @@ TEST(DenseQpTest, ShapesThatDisagreeOrExceedTheMaximaBreakTheContract) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::dense_qp_test

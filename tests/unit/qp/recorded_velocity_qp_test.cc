@@ -11,7 +11,7 @@
 #include "tests/support/ipopt_dense_qp.h"
 #include "tests/support/wild_targets.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::recorded_velocity_qp_test {
 
 namespace {
 
@@ -87,4 +87,4 @@ TEST(RecordedVelocityQpTest, CostAndPointAgreeWithIpopt) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::recorded_velocity_qp_test

@@ -10,7 +10,7 @@
 #include "sim/record/run_reader.h"
 #include "tests/unit/record/record_test_support.h"
 
-namespace sidestep {
+namespace sidestep::recorder_cut_short_test {
 namespace {
 
 using RecorderCutShortTest = RecordTest;
@@ -85,4 +85,4 @@ TEST_F(RecorderCutShortTest, FullDiskIsReported) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::recorder_cut_short_test

@@ -8,7 +8,7 @@
 #include "sim/record/run_reader.h"
 #include "tests/unit/record/record_test_support.h"
 
-namespace sidestep {
+namespace sidestep::recorder_test {
 namespace {
 
 using RecorderTest = RecordTest;
@@ -207,4 +207,4 @@ TEST_F(RecorderTest, WhatTheControllerDoesNotSayIsAnEmptyCell) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::recorder_test

@@ -10,7 +10,7 @@
 #include "models/support/config_error.h"
 #include "tests/support/synthetic_run.h"
 
-namespace sidestep {
+namespace sidestep::run_reader_test {
 namespace {
 
 using ::sidestep::testing::FreshTestDir;
@@ -152,4 +152,4 @@ TEST(RunReaderTest, TheFeetAreReadOffTheTrajectorysHeader) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::run_reader_test

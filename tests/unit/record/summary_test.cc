@@ -9,7 +9,7 @@
 
 #include "tests/unit/record/record_test_support.h"
 
-namespace sidestep {
+namespace sidestep::summary_test {
 namespace {
 
 nlohmann::json Summary(const RunOutcome& outcome, const RunFacts& facts = {}) {
@@ -118,4 +118,4 @@ TEST(SummaryTest, TellsHowTheRunWasMade) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::summary_test

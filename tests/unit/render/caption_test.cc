@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sidestep::render {
+namespace sidestep::render::caption_test {
 namespace {
 
 const nlohmann::json& FailedRun() {
@@ -63,4 +63,4 @@ TEST(CaptionTest, TextThatTheFontLacksIsReplacedAndLongTextCut) {
 }
 
 }  // namespace
-}  // namespace sidestep::render
+}  // namespace sidestep::render::caption_test

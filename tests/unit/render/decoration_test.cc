@@ -8,7 +8,7 @@
 
 #include "sim/render/foothold_marks.h"
 
-namespace sidestep::render {
+namespace sidestep::render::decoration_test {
 namespace {
 
 StateRow PushedRow(double force_N) {
@@ -192,4 +192,4 @@ TEST_F(FootholdMarksTest, TheOutlineEnclosesTheSole) {
 }
 
 }  // namespace
-}  // namespace sidestep::render
+}  // namespace sidestep::render::decoration_test

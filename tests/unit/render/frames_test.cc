@@ -5,7 +5,7 @@
 
 #include "sim/render/camera_path.h"
 
-namespace sidestep::render {
+namespace sidestep::render::frames_test {
 namespace {
 
 StateLog LogOf(int rows, double dt_s) {
@@ -79,4 +79,4 @@ TEST(CameraTest, TheFixedCameraNeverMovesAndStandsFartherBackForALongerWalk) {
 }
 
 }  // namespace
-}  // namespace sidestep::render
+}  // namespace sidestep::render::frames_test

@@ -15,7 +15,7 @@
 #include "sim/process/process.h"
 #include "tests/support/synthetic_run.h"
 
-namespace sidestep {
+namespace sidestep::render_run_test {
 namespace {
 
 using ::sidestep::testing::FreshTestDir;
@@ -207,4 +207,4 @@ TEST(RenderRunTest, TheScenarioChoosesSizeRateAndCamera) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::render_run_test

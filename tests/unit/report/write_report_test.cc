@@ -17,7 +17,7 @@
 #include "sim/report/inline_svg.h"
 #include "tests/support/synthetic_run.h"
 
-namespace sidestep {
+namespace sidestep::write_report_test {
 namespace {
 
 using ::sidestep::testing::FreshTestDir;
@@ -189,4 +189,4 @@ TEST(InlineSvgTest, IdsArePrefixedWhereTheyAreMadeAndWhereTheyAreUsed) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::write_report_test

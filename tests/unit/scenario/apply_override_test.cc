@@ -5,7 +5,7 @@
 
 #include "tests/unit/scenario/scenario_fixture.h"
 
-namespace sidestep {
+namespace sidestep::apply_override_test {
 namespace {
 
 using ApplyOverrideTest = ScenarioFixture;
@@ -105,4 +105,4 @@ TEST_F(ApplyOverrideTest, TheReadersErrorsNameTheOption) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::apply_override_test

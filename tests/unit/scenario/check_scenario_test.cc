@@ -5,7 +5,7 @@
 
 #include "tests/unit/scenario/scenario_fixture.h"
 
-namespace sidestep {
+namespace sidestep::check_scenario_test {
 namespace {
 
 using CheckScenarioTest = ScenarioFixture;
@@ -142,4 +142,4 @@ TEST_F(CheckScenarioTest, Pushes) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::check_scenario_test

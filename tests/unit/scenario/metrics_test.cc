@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace sidestep {
+namespace sidestep::metrics_test {
 namespace {
 
 TEST(MetricsTest, NamesAreUniqueAndFound) {
@@ -43,4 +43,4 @@ TEST(MetricsTest, FallAndSlipAreTrueOrFalse) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::metrics_test

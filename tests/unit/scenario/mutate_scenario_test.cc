@@ -7,10 +7,14 @@
 #include "sim/scenario/write_scenario.h"
 #include "tests/unit/scenario/scenario_fixture.h"
 
-namespace sidestep {
+namespace sidestep::mutate_scenario_test {
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kCases = 500;
+#else
 constexpr int kCases = 2000;
+#endif
 
 class MutateScenarioTest : public ScenarioFixture {
  protected:
@@ -96,4 +100,4 @@ TEST_F(MutateScenarioTest, EveryMutantOverrideIsAppliedOrRefusedByName) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::mutate_scenario_test

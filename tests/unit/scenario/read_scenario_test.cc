@@ -5,7 +5,7 @@
 
 #include "tests/unit/scenario/scenario_fixture.h"
 
-namespace sidestep {
+namespace sidestep::read_scenario_test {
 namespace {
 
 using ReadScenarioTest = ScenarioFixture;
@@ -160,4 +160,4 @@ TEST_F(ReadScenarioTest, Fields) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::read_scenario_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/scenario/scenario_fixture.h"
 
-namespace sidestep {
+namespace sidestep::read_sections_test {
 namespace {
 
 using ReadSectionsTest = ScenarioFixture;
@@ -190,4 +190,4 @@ TEST_F(ReadSectionsTest, VideoErrors) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::read_sections_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/scenario/scenario_fixture.h"
 
-namespace sidestep {
+namespace sidestep::write_scenario_test {
 namespace {
 
 /// Visitor: gives every field a value within its range, seldom its default.
@@ -178,4 +178,4 @@ TEST_F(WriteScenarioTest, ARobotGivenByItsPathIsWrittenAbsolute) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::write_scenario_test

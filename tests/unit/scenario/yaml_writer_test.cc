@@ -7,7 +7,7 @@
 
 #include "models/support/config_tree.h"
 
-namespace sidestep {
+namespace sidestep::yaml_writer_test {
 namespace {
 
 TEST(YamlWriterTest, PlainWordsStayPlain) {
@@ -88,4 +88,4 @@ TEST(YamlWriterTest, WritesFieldsOfEveryTypeAndListsOfMaps) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::yaml_writer_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sidestep {
+namespace sidestep::sensor_suite_test {
 namespace {
 
 constexpr double kRate_hz = 1000.0;
@@ -295,4 +295,4 @@ TEST(SensorSuiteTest, DropoutRepeatsTheLastFrameAsOftenAsItsProbability) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::sensor_suite_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace sidestep {
+namespace sidestep::swing_foot_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -145,4 +145,4 @@ TEST(SwingFootTest, HeightMayBeSetForTheNextSwing) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::swing_foot_test

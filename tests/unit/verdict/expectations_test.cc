@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace sidestep {
+namespace sidestep::expectations_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -63,4 +63,4 @@ TEST(ExpectationsTest, OnlyAnExpectedTrueCountsAsExpected) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::expectations_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/verdict/verdict_test_support.h"
 
-namespace sidestep {
+namespace sidestep::footstep_log_test {
 namespace {
 
 // Three contacts of a hopper, ticks [0, 100), [200, 300), [400, 500): the second is moved by
@@ -119,4 +119,4 @@ TEST(FootstepLogTest, SlipBelongsToTheContactInWhichItHappened) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::footstep_log_test

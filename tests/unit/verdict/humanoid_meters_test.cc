@@ -11,7 +11,7 @@
 #include "sim/verdict/sole_meter.h"
 #include "tests/unit/verdict/verdict_test_support.h"
 
-namespace sidestep {
+namespace sidestep::humanoid_meters_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -231,4 +231,4 @@ TEST(HumanoidJudgeTest, ClearanceOfABoxFootIsThatOfItsLowestCorner) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::humanoid_meters_test

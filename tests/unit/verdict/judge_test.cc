@@ -12,7 +12,7 @@
 #include "sim/verdict/metrics.h"
 #include "tests/unit/verdict/verdict_test_support.h"
 
-namespace sidestep {
+namespace sidestep::judge_test {
 namespace {
 
 void Nothing(Tick, WorldTruth&, ControlTick&) {}
@@ -256,4 +256,4 @@ TEST(JudgeTest, TicksMustAscend) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::judge_test

@@ -9,7 +9,7 @@
 #include "sim/verdict/footstep_log.h"
 #include "sim/verdict/slip_meter.h"
 
-namespace sidestep {
+namespace sidestep::meters_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -137,4 +137,4 @@ TEST(TiltTest, KeepsItsDigitsNearUprightAndUpsideDown) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::meters_test

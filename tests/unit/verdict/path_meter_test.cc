@@ -9,7 +9,7 @@
 
 #include "tests/unit/verdict/verdict_test_support.h"
 
-namespace sidestep {
+namespace sidestep::path_meter_test {
 namespace {
 
 using Motion = std::function<void(double time_s, ComReference& reference, WorldTruth& truth)>;
@@ -126,4 +126,4 @@ TEST(PathMeterTest, NothingSeenIsNotMeasured) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::path_meter_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::com_zmp_correction_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -139,4 +139,4 @@ TEST_F(CorrectedComVelocityTest, WithoutEitherZmpThereIsNothingToCompare) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::com_zmp_correction_test

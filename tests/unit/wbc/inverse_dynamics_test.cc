@@ -10,7 +10,7 @@
 
 #include "models/mjcf/quaternion.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::inverse_dynamics_test {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
@@ -246,4 +246,4 @@ TEST_F(InverseDynamicsTest, FailedFirstSolveCommandsZeroTorque) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::inverse_dynamics_test

@@ -7,7 +7,7 @@
 #include "tests/support/reference_robot.h"
 #include "tests/unit/wbc/foot_velocity.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::inverse_kinematics_anchor_test {
 namespace {
 
 constexpr double kAtOnce_per_s = 1.0 / kStanceTick_s;
@@ -213,4 +213,4 @@ TEST_F(LandingTest, FootThatTouchesBeforeItsTimeGoesOnToItsTarget) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::inverse_kinematics_anchor_test

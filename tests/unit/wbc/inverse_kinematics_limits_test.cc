@@ -6,7 +6,7 @@
 #include "tests/support/icub3_stance.h"
 #include "tests/support/wild_targets.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::inverse_kinematics_limits_test {
 namespace {
 
 // The QP's relative tolerance of 1e-9 on bounds of at most 10 rad/s.
@@ -122,4 +122,4 @@ TEST(InverseKinematicsLimitTest, JointThatStartsBeyondItsLimitComesBackWithinIt)
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::inverse_kinematics_limits_test

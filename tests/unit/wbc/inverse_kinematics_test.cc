@@ -10,7 +10,7 @@
 #include "tests/support/reference_robot.h"
 #include "tests/unit/wbc/foot_velocity.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::inverse_kinematics_test {
 namespace {
 
 class InverseKinematicsTest : public testing::Test {
@@ -156,4 +156,4 @@ TEST_F(InverseKinematicsTest, RobotWithoutServosBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::inverse_kinematics_test

@@ -8,7 +8,7 @@
 #include "tests/support/icub3_stance.h"
 #include "tests/support/reference_robot.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::servo_deflection_test {
 namespace {
 
 class ServoDeflectionTest : public testing::Test {
@@ -142,4 +142,4 @@ TEST_F(ServoDeflectionTest, InverseKinematicsAddsItToItsReferences) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::servo_deflection_test

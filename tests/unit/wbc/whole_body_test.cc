@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::whole_body_test {
 namespace {
 
 /// Two feet of four vertices; the left one is meant to stand and pushes.
@@ -52,4 +52,4 @@ TEST(WholeBodyTest, CentroidalForcesHandsTheTargetsOn) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::whole_body_test

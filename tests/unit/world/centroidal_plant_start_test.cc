@@ -6,7 +6,7 @@
 #include "sim/world/world_model.h"
 #include "tests/unit/world/centroidal_test_support.h"
 
-namespace sidestep {
+namespace sidestep::centroidal_plant_start_test {
 namespace {
 
 TEST(CentroidalPlantStartTest, LeftFootIsFirstAndComRestsAboveTheMean) {
@@ -67,4 +67,4 @@ TEST(CentroidalPlantStartTest, MassComesFromTheMjcfWhereTheRobotHasOne) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::centroidal_plant_start_test

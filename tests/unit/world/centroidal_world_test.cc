@@ -7,7 +7,7 @@
 #include "models/support/require.h"
 #include "tests/unit/world/centroidal_test_support.h"
 
-namespace sidestep {
+namespace sidestep::centroidal_world_test {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
@@ -198,4 +198,4 @@ TEST(CentroidalWorldTest, UnknownBodyOfAPushIsAUsersMistake) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::centroidal_world_test

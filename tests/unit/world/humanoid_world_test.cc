@@ -8,7 +8,7 @@
 #include "sim/world/mujoco_world.h"
 #include "tests/support/box_biped.h"
 
-namespace sidestep {
+namespace sidestep::humanoid_world_test {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
@@ -261,4 +261,4 @@ TEST_F(HumanoidWorldTest, SensorThatTheMjcfLacksIsAConfigError) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::humanoid_world_test

@@ -10,7 +10,7 @@
 #include "sim/world/world_model.h"
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::icub3_world_test {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
@@ -92,4 +92,4 @@ TEST_F(Icub3WorldTest, ArmsFeelAPushOnTheHandAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::icub3_world_test

@@ -13,7 +13,7 @@
 #include "tests/support/hopper_scenario.h"
 #include "tests/support/temp_folder.h"
 
-namespace sidestep {
+namespace sidestep::mujoco_world_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -278,4 +278,4 @@ TEST(MujocoWorldTest, CommandMustHaveOneTorqueAJoint) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::mujoco_world_test

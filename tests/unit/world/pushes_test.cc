@@ -8,7 +8,7 @@
 
 #include "models/support/require.h"
 
-namespace sidestep {
+namespace sidestep::pushes_test {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -113,4 +113,4 @@ TEST(PushesTest, PosesMustBeOneAPush) {
 }
 
 }  // namespace
-}  // namespace sidestep
+}  // namespace sidestep::pushes_test

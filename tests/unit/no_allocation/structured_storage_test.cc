@@ -11,7 +11,7 @@
 #include "tests/support/allocation_counter.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::structured_storage_test {
 namespace {
 
 TEST(StructuredStorageTest, AHundredConsecutiveSolvesOfChangingSchedulesAllocateNothing) {
@@ -106,4 +106,4 @@ TEST(StructuredStorageTest, TheWholeStageOfTheControlChainAllocatesNothingOnceIt
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::structured_storage_test

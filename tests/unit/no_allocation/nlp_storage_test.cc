@@ -11,7 +11,7 @@
 #include "tests/support/allocation_counter.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
-namespace sidestep::mpc {
+namespace sidestep::mpc::nlp_storage_test {
 namespace {
 
 constexpr int kKnots = 6;
@@ -95,4 +95,4 @@ TEST(NlpStorageTest, ShiftingOntoTheSameShapesAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace sidestep::mpc
+}  // namespace sidestep::mpc::nlp_storage_test

@@ -10,7 +10,7 @@
 #include "tests/support/allocation_counter.h"
 #include "tests/support/random_dense_qp.h"
 
-namespace sidestep::wbc {
+namespace sidestep::wbc::dense_qp_allocation_test {
 namespace {
 
 std::int64_t CountDuringSolve(DenseQpSolver& solver, const DenseQpView& problem,
@@ -69,4 +69,4 @@ TEST(DenseQpAllocationTest, HardProblemsTakeNoMemoryEither) {
 }
 
 }  // namespace
-}  // namespace sidestep::wbc
+}  // namespace sidestep::wbc::dense_qp_allocation_test
