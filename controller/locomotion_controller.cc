@@ -112,6 +112,10 @@ void LocomotionController::Estimate(const SensorFrame& frame) {
   if (setup_.control.external_wrench != ExternalWrenchKnowledge::kEstimated) {
     tick_.state.external_wrench = frame.known_external_wrench.value_or(Wrench{});
   }
+  if (rigid_body_ == nullptr) return;
+  const bool is_torque = setup_.control.mode == ControlMode::kTorque;
+  if (is_torque || IsMpcTick()) rigid_body_->UpdateJacobians();
+  if (is_torque) rigid_body_->UpdateBias();
 }
 
 void LocomotionController::Plan() {
@@ -123,7 +127,7 @@ void LocomotionController::Plan() {
 void LocomotionController::SolveMpc() {
   tick_.mpc.ran = false;
   if (setup_.control.mode == ControlMode::kPassive) return;
-  if (tick_.tick % mpc_period_ == 0) {
+  if (IsMpcTick()) {
     const ScopedStage stage(timer_, Stage::kMpc);
     SampleReferences();
     mpc_.Solve(tick_.state, planner_.plan(), references_, tick_.tick);

@@ -47,6 +47,7 @@ class LocomotionController {
   void TargetFeet();
   void SampleReferences();
   void TargetFoot(std::size_t foot);
+  bool IsMpcTick() const { return tick_.tick % mpc_period_ == 0; }
   const GaitParams& GaitAt(Tick tick) const;
 
   LocomotionSetup setup_;

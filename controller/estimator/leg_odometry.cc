@@ -29,7 +29,7 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
   stands_.assign(robot.feet.size(), false);
   state_.feet.resize(robot.feet.size());
   rigid_body->WriteHome(&state_);
-  rigid_body->Update(state_);
+  rigid_body->UpdateKinematics(state_);
   x_.head<3>() = rigid_body->imu().p_WU;
 }
 
@@ -57,7 +57,7 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame) {
 
   state_.p_WB = x_.segment<3>(kPosition) - p_BU_W;
   state_.v_WB = x_.segment<3>(kVelocity) - v_BU_W;
-  rigid_body_->Update(state_);
+  rigid_body_->UpdateKinematics(state_);
   rigid_body_->FillDerived(&state_);
   forces_.NoteVelocity(rigid_body_->velocity());
   return state_;
@@ -70,11 +70,11 @@ void LegOdometry::OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector
   state_.v_WB.setZero();
   state_.q_WB.setIdentity();
   state_.w_WB_B.setZero();
-  rigid_body_->Update(state_);
+  rigid_body_->UpdateKinematics(state_);
   const Eigen::Matrix3d R_BU = rigid_body_->imu().R_WU;
   state_.q_WB = (q_WU * Eigen::Quaterniond(R_BU.transpose())).normalized();
   state_.w_WB_B = R_BU * w_WU_U - rigid_body_->imu().w_WU;
-  rigid_body_->Update(state_);
+  rigid_body_->UpdateKinematics(state_);
 }
 
 void LegOdometry::Predict(const Eigen::Vector3d& a_WU) {

@@ -23,9 +23,9 @@ namespace sidestep {
 
 class LegOdometry final : public StateEstimator {
  public:
-  /// `rigid_body` must outlive the estimator; Update() leaves it at the new state.
-  /// `dt_s` is the time between frames. The base starts where the
-  /// robot's home pose has it.
+  /// `rigid_body` must outlive the estimator; Update() leaves its kinematics
+  /// at the new state. `dt_s` is the time between frames. The base starts where the robot's home
+  /// pose has it.
   LegOdometry(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
               RigidBody* rigid_body);
 

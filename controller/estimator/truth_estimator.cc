@@ -21,7 +21,7 @@ const RobotState& TruthEstimator::Update(const SensorFrame& frame) {
   state_.w_WB_B = frame.truth->w_WB_B;
   state_.joint_position = frame.joint_position;
   state_.joint_velocity = frame.joint_velocity;
-  rigid_body_->Update(state_);
+  rigid_body_->UpdateKinematics(state_);
   rigid_body_->FillDerived(&state_);
   forces_.Update(frame, &state_);
   forces_.NoteVelocity(rigid_body_->velocity());

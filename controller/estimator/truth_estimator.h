@@ -13,7 +13,8 @@ namespace sidestep {
 /// Believes SensorFrame::truth. For comparison with LegOdometry only.
 class TruthEstimator final : public StateEstimator {
  public:
-  /// `rigid_body` must outlive the estimator; Update() leaves it at the new state.
+  /// `rigid_body` must outlive the estimator; Update() leaves its kinematics
+  /// at the new state.
   /// `dt_s` is the time between frames.
   TruthEstimator(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
                  RigidBody* rigid_body);

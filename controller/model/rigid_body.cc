@@ -22,13 +22,12 @@ constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.x
 }  // namespace
 
 RigidBody::RigidBody(const RobotDescription& robot)
-    : model_(CompileMjcf(kBareWorld, MjcfOf(robot), ModelFile(robot))),
+    : model_(CompileMjcf(kBareWorld, MjcfOf(robot, Looks::kLeftOut), ModelFile(robot))),
       data_(MakeData(*model_)),
       gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(model_->opt.gravity)) {
   ResolveNames(robot);
   const int nv = model_->nv;
   mass_matrix_.setZero(nv, nv);
-  mass_matrix_rows_.setZero(nv, nv);
   bias_.setZero(nv);
   velocity_.setZero(nv);
   com_jacobian_.setZero(3, nv);
@@ -89,42 +88,68 @@ void RigidBody::SetState(const RobotState& state) {
 }
 
 void RigidBody::Update(const RobotState& state) {
+  UpdateKinematics(state);
+  UpdateJacobians();
+  UpdateBias();
+}
+
+void RigidBody::UpdateKinematics(const RobotState& state) {
   const mjModel* model = model_.get();
   mjData* data = data_.get();
   SetState(state);
   mj_kinematics(model, data);
   mj_comPos(model, data);
-  mj_crb(model, data);
   mj_comVel(model, data);
-  mj_passive(model, data);
-  mj_rne(model, data, 0, data->qfrc_bias);
   mj_subtreeVel(model, data);
-
-  mj_fullM(model, mass_matrix_rows_.data(), data->qM);
-  mass_matrix_ = mass_matrix_rows_;
-  bias_ = Eigen::Map<const Eigen::VectorXd>(data->qfrc_bias, model->nv) -
-          Eigen::Map<const Eigen::VectorXd>(data->qfrc_passive, model->nv);
-  // The base's linear rows are Newton's law of the whole robot: m a_C - m g = sum of forces.
-  com_jacobian_ = mass_matrix_.topRows<3>() / mass_kg_;
-  com_bias_mps2_ = bias_.head<3>() / mass_kg_ + gravity_mps2_;
-  p_WC_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_com + 3 * base_body_);
-  v_WC_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_linvel + 3 * base_body_);
-  angular_momentum_ = Eigen::Map<const Eigen::Vector3d>(data->subtree_angmom + 3 * base_body_);
-  UpdateFeet();
-  UpdateImu();
-  if (has_torso()) {
-    torso_.R_WT = ConstMatrix3Map(data->site_xmat + 9 * torso_site_);
-    mj_jacSite(model, data, nullptr, torso_.J_rot.data(), torso_site_);
-  }
-}
-
-void RigidBody::UpdateImu() {
-  imu_.p_WU = ConstVector3Map(data_->site_xpos + 3 * imu_site_);
-  imu_.R_WU = ConstMatrix3Map(data_->site_xmat + 9 * imu_site_);
+  p_WC_ = ConstVector3Map(data->subtree_com + 3 * base_body_);
+  v_WC_ = ConstVector3Map(data->subtree_linvel + 3 * base_body_);
+  angular_momentum_ = ConstVector3Map(data->subtree_angmom + 3 * base_body_);
   mjtNum twist[6];  // [angular; linear]
-  mj_objectVelocity(model_.get(), data_.get(), mjOBJ_SITE, imu_site_, twist, 0);
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    FootKinematics& foot = feet_[i];
+    foot.p_WF = ConstVector3Map(data->site_xpos + 3 * foot_site_[i]);
+    foot.R_WF = ConstMatrix3Map(data->site_xmat + 9 * foot_site_[i]);
+    mj_objectVelocity(model, data, mjOBJ_SITE, foot_site_[i], twist, 0);
+    foot.w_WF = ConstVector3Map(twist);
+    foot.v_WF = ConstVector3Map(twist + 3);
+  }
+  imu_.p_WU = ConstVector3Map(data->site_xpos + 3 * imu_site_);
+  imu_.R_WU = ConstMatrix3Map(data->site_xmat + 9 * imu_site_);
+  mj_objectVelocity(model, data, mjOBJ_SITE, imu_site_, twist, 0);
   imu_.w_WU = ConstVector3Map(twist);
   imu_.v_WU = ConstVector3Map(twist + 3);
+  if (has_torso()) torso_.R_WT = ConstMatrix3Map(data->site_xmat + 9 * torso_site_);
+}
+
+void RigidBody::UpdateJacobians() {
+  const mjModel* model = model_.get();
+  mjData* data = data_.get();
+  mj_crb(model, data);
+  mj_fullM(model, mass_matrix_.data(), data->qM);
+  // The base's linear rows are Newton's law of the whole robot: m a_C - m g = sum of forces.
+  com_jacobian_ = mass_matrix_.topRows<3>() / mass_kg_;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    mj_jacSite(model, data, feet_[i].J.data(), feet_[i].J_rot.data(), foot_site_[i]);
+  }
+  if (has_torso()) mj_jacSite(model, data, nullptr, torso_.J_rot.data(), torso_site_);
+}
+
+void RigidBody::UpdateBias() {
+  const mjModel* model = model_.get();
+  mjData* data = data_.get();
+  mj_passive(model, data);
+  mj_rne(model, data, 0, data->qfrc_bias);
+  bias_ = Eigen::Map<const Eigen::VectorXd>(data->qfrc_bias, model->nv) -
+          Eigen::Map<const Eigen::VectorXd>(data->qfrc_passive, model->nv);
+  com_bias_mps2_ = bias_.head<3>() / mass_kg_ + gravity_mps2_;
+  // With qacc = 0 an object's acceleration is Jdot nu, minus gravity by MuJoCo's convention.
+  mju_zero(data->qacc, model->nv);
+  mj_rnePostConstraint(model, data);
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    mjtNum acceleration[6];  // [angular; linear]
+    mj_objectAcceleration(model, data, mjOBJ_SITE, foot_site_[i], acceleration, 0);
+    feet_[i].bias_mps2 = ConstVector3Map(acceleration + 3) + gravity_mps2_;
+  }
 }
 
 void RigidBody::UpdateForceTorque(const Eigen::VectorXd& nudot) {
@@ -150,27 +175,6 @@ void RigidBody::WriteHome(RobotState* state) const {
   state->joint_velocity.setZero(model_->nu);
   for (std::size_t i = 0; i < actuated_position_.size(); ++i) {
     state->joint_position[static_cast<Eigen::Index>(i)] = home_position_[actuated_position_[i]];
-  }
-}
-
-void RigidBody::UpdateFeet() {
-  const mjModel* model = model_.get();
-  mjData* data = data_.get();
-  // With qacc = 0 an object's acceleration is Jdot nu, minus gravity by MuJoCo's convention.
-  mju_zero(data->qacc, model->nv);
-  mj_rnePostConstraint(model, data);
-  for (std::size_t i = 0; i < feet_.size(); ++i) {
-    FootKinematics& foot = feet_[i];
-    const int site = foot_site_[i];
-    foot.p_WF = Eigen::Map<const Eigen::Vector3d>(data->site_xpos + 3 * site);
-    foot.R_WF =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data->site_xmat + 9 * site);
-    mj_jacSite(model, data, foot.J.data(), foot.J_rot.data(), site);
-    foot.v_WF.noalias() = foot.J * velocity_;
-    foot.w_WF.noalias() = foot.J_rot * velocity_;
-    mjtNum acceleration[6];  // [angular; linear]
-    mj_objectAcceleration(model, data, mjOBJ_SITE, site, acceleration, 0);
-    foot.bias_mps2 = Eigen::Map<const Eigen::Vector3d>(acceleration + 3) + gravity_mps2_;
   }
 }
 

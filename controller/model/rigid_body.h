@@ -53,24 +53,34 @@ struct ForceTorqueKinematics {
   Wrench unloaded;  ///< Distal on proximal, in S, about S.
 };
 
-/// The nominal robot. Update() evaluates everything at one state; the rest reads it.
+/// The nominal robot. The Update functions evaluate it at one state; the rest reads what they left.
 class RigidBody {
  public:
   /// Compiles the robot's MJCF. Throws ConfigError if it lacks a name that robot.yaml promises.
   explicit RigidBody(const RobotDescription& robot);
 
-  /// Evaluates at the base and joint state of `state`. Does not allocate.
+  /// Evaluates everything at the base and joint state of `state`: the three below in a row.
+  /// None of them allocates.
   void Update(const RobotState& state);
 
+  /// Poses and velocities: of feet, IMU and torso, the CoM, the angular momentum.
+  void UpdateKinematics(const RobotState& state);
+
+  /// M and the Jacobians, at the state of the last UpdateKinematics().
+  void UpdateJacobians();
+
+  /// h and the terms Jdot nu, at the state of the last UpdateKinematics().
+  void UpdateBias();
+
   /// Predicts the force/torque sensors for the acceleration `nudot` (nv) at the state of the last
-  /// Update(). Does not allocate.
+  /// UpdateKinematics().
   void UpdateForceTorque(const Eigen::VectorXd& nudot);
 
   /// Base position and attitude and joints at the start of a run; the rest of `state` is zero.
   void WriteHome(RobotState* state) const;
 
   /// Writes p_WC, v_WC, angular_momentum and the feet's pose and velocity into `state`, which must
-  /// be the state given to Update(). Leaves in_contact alone.
+  /// be the state given to UpdateKinematics(). Leaves in_contact alone.
   void FillDerived(RobotState* state) const;
 
   int num_velocities() const { return model_->nv; }
@@ -103,8 +113,6 @@ class RigidBody {
  private:
   void ResolveNames(const RobotDescription& robot);
   void SetState(const RobotState& state);
-  void UpdateFeet();
-  void UpdateImu();
 
   MjModelPtr model_;
   MjDataPtr data_;
@@ -126,7 +134,6 @@ class RigidBody {
   Eigen::VectorXd home_position_;  // qpos
 
   Eigen::MatrixXd mass_matrix_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> mass_matrix_rows_;
   Eigen::VectorXd bias_;
   Eigen::VectorXd velocity_;
   Jacobian3 com_jacobian_;

@@ -73,6 +73,7 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
                                    const std::vector<FootTarget>& feet, ActuatorCommand* command) {
   if (!started_) Start(state);
   Anchor(state);
+  body_.Update(commanded_);
   const double min_force_N = kMinCarriedShare * body_.mass_kg() * body_.gravity_mps2().norm();
   const Eigen::Vector3d v_WC = CorrectedComVelocity(
       params_, state, com, PlannedZeroMomentPoint(feet, vertices_m_, min_force_N),
@@ -90,12 +91,14 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
   } else {
     nu_.setZero();
   }
+  const Eigen::VectorXd* deflection =
+      params_.compensates_deflection ? &deflection_.Update(body_, feet) : nullptr;
   Integrate(nu_);
 
   command->torque_Nm.resize(0);
   command->joint_position = commanded_.joint_position;
   command->joint_velocity = commanded_.joint_velocity;
-  if (params_.compensates_deflection) command->joint_position += deflection_.Update(body_, feet);
+  if (deflection != nullptr) command->joint_position += *deflection;
   return {static_cast<int>(solution->status), ok, solution->iterations};
 }
 
@@ -104,7 +107,7 @@ void InverseKinematics::Start(const RobotState& state) {
   commanded_.q_WB = state.q_WB;
   commanded_.joint_position = state.joint_position;
   commanded_.joint_velocity.setZero();
-  body_.Update(commanded_);
+  body_.UpdateKinematics(commanded_);
   for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i] = {true, body_.feet()[i].p_WF};
   started_ = true;
 }
@@ -132,7 +135,6 @@ void InverseKinematics::Anchor(const RobotState& state) {
   commanded_.q_WB = (rotation * commanded_.q_WB).normalized();
   commanded_.p_WB = p_cmd + rotation * (commanded_.p_WB - p_cmd) + shift;
   for (Hold& hold : holds_) hold.p_WF.head<2>() += shift.head<2>();
-  body_.Update(commanded_);
 }
 
 void InverseKinematics::Build(const Eigen::Vector3d& v_WC, const RobotState& state,
@@ -228,7 +230,7 @@ void InverseKinematics::Integrate(const Eigen::VectorXd& nu) {
     commanded_.joint_velocity[at] = nu[Joint(i)];
     commanded_.joint_position[at] += dt_s_ * nu[Joint(i)];
   }
-  body_.Update(commanded_);
+  body_.UpdateKinematics(commanded_);
 }
 
 }  // namespace sidestep::wbc

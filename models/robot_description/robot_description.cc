@@ -75,8 +75,9 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   return robot;
 }
 
-std::string MjcfOf(const RobotDescription& robot) {
-  return robot.urdf.empty() ? ReadTextFile(robot.mjcf) : robot.urdf_mjcf;
+std::string MjcfOf(const RobotDescription& robot, Looks looks) {
+  if (robot.urdf.empty()) return ReadTextFile(robot.mjcf);
+  return looks == Looks::kDrawn ? robot.urdf_mjcf : robot.plain_mjcf;
 }
 
 RobotNames NamesIn(const RobotDescription& description) {

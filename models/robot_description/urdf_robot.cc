@@ -229,6 +229,8 @@ void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot) {
   for (const FootDescription& foot : robot->feet) conversion.foot_frames.push_back(foot.frame);
   robot->urdf_mjcf = UrdfToMjcf(robot->urdf, conversion);
   CompileMjcf(robot->urdf_mjcf, "", robot->urdf);
+  conversion.has_looks = false;
+  robot->plain_mjcf = UrdfToMjcf(robot->urdf, conversion);
 }
 
 }  // namespace sidestep

@@ -67,6 +67,7 @@ struct UrdfConversion {
   std::vector<std::string> locked_joints;  ///< Welded at zero.
   std::vector<UrdfForceTorque> force_torque;
   std::vector<UrdfCollisionGroups> self_collision;
+  bool has_looks{true};  ///< Whether shapes that do not collide come along.
 };
 
 /// A joint that moves, with what the URDF says of its motor (0 where it says nothing).

@@ -152,7 +152,7 @@ class MjcfWriter {
         looks.push_back(&shape);
       }
     }
-    if (looks.empty()) return;
+    if (looks.empty() || !conversion_.has_looks) return;
     xml_ << indent << "<body>\n";
     for (const Shape* shape : looks) WriteShape(*shape, is_foot, indent + "  ");
     xml_ << indent << "</body>\n";

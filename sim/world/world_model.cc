@@ -72,7 +72,7 @@ void ScaleMasses(double scale, mjModel* model) {
 
 }  // namespace
 
-MjModelPtr CompileWorld(const Scenario& scenario) {
+MjModelPtr CompileWorld(const Scenario& scenario, Looks looks) {
   const RobotDescription& robot = scenario.description_of_robot;
   const bool has_robot = scenario.plant == Plant::kMujoco;
   std::ostringstream xml;
@@ -85,7 +85,7 @@ MjModelPtr CompileWorld(const Scenario& scenario) {
     xml << CentroidalStandIn(robot);
   }
   xml << "</mujoco>";
-  MjModelPtr model = CompileMjcf(xml.str(), has_robot ? MjcfOf(robot) : std::string(),
+  MjModelPtr model = CompileMjcf(xml.str(), has_robot ? MjcfOf(robot, looks) : std::string(),
                                  has_robot ? ModelFile(robot) : robot.file);
   for (int geom = 0; geom < model->ngeom; ++geom) {
     model->geom_friction[3 * geom] = scenario.world.friction;

@@ -9,14 +9,15 @@
 // cold. Ratios are Ipopt's time over the structured back end's. Cost, force and place compare each
 // answer with Ipopt's: relative, of body weight, in m; where the costs differ by more than 1e-6 the
 // two fell into other local minima, which counts as `other` and leaves force and place out.
+// `readme` is `sequences` in fewer columns: a row a folder, warm as in the loop.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
-#include "controller/mpc/ocp_json.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/bench/mpc_table_support.h"
+#include "tests/support/recorded_problems.h"
+#include "tests/support/solution_difference.h"
 
 namespace sidestep::mpc {
 namespace {
@@ -32,23 +33,15 @@ struct Row {
   int num_other_minima{0};
 };
 
-class Table {
+class BackEnds {
  public:
-  Table() : ipopt_(MakeSolver("ipopt", {})), structured_(MakeSolver("structured", {})) {
-    std::printf(
-        "| problem | Ipopt p50 / p99 / max ms | it. | structured p50 / p99 / max ms | it. p50 / "
-        "max "
-        "| worst KKT | ratio p50 / p99 | cost | force | place m | other |\n"
-        "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-  }
-
   /// Solves with both; returns Ipopt's answer.
-  MpcSolution Add(const CentroidalOcp& ocp, const MpcSolution* guess, Row* row) {
+  MpcSolution Solve(const CentroidalOcp& ocp, const MpcSolution* guess, Row* row) {
     const MpcSolution theirs = TimedSolve(*ipopt_, ocp, guess, 1, &row->ipopt);
     const MpcSolution ours = TimedSolve(*structured_, ocp, guess, kRepeats, &row->structured);
     if (!IsUsable(theirs.status) || !IsUsable(ours.status)) return theirs;
     const Difference difference = Compare(ocp, theirs, ours);
-    if (std::abs(difference.cost) > 1e-6) {
+    if (difference.is_other_minimum()) {
       ++row->num_other_minima;
     } else {
       row->worst_force = std::max(row->worst_force, difference.force);
@@ -58,100 +51,142 @@ class Table {
     return theirs;
   }
 
-  static void Print(const Row& row) {
-    const Timings& a = row.ipopt;
-    const Timings& b = row.structured;
-    const auto p50 = [](const Timings& t) { return Quantile(t.times_ms, 0.5); };
-    const auto p99 = [](const Timings& t) { return Quantile(t.times_ms, 0.99); };
-    std::printf(
-        "| %s | %.1f / %.1f / %.1f | %.0f | %.2f / %.2f / %.2f | %.0f / %.0f | %.0e | %.0f / %.0f "
-        "| %+.0e | %.0e | %.0e | %d |",
-        row.name.c_str(), p50(a), p99(a), Quantile(a.times_ms, 1.0), Quantile(a.iterations, 0.5),
-        p50(b), p99(b), Quantile(b.times_ms, 1.0), Quantile(b.iterations, 0.5),
-        Quantile(b.iterations, 1.0), b.worst_kkt, p50(a) / p50(b), p99(a) / p99(b), row.worst_cost,
-        row.worst_force, row.worst_place_m, row.num_other_minima);
-    if (a.num_failures + b.num_failures > 0) {
-      std::printf(" unsolved: Ipopt %d, structured %d", a.num_failures, b.num_failures);
-    }
-    std::printf("\n");
-    std::fflush(stdout);
-  }
-
  private:
-  std::unique_ptr<CentroidalSolver> ipopt_;
-  std::unique_ptr<CentroidalSolver> structured_;
+  std::unique_ptr<CentroidalSolver> ipopt_{MakeSolver("ipopt", {})};
+  std::unique_ptr<CentroidalSolver> structured_{MakeSolver("structured", {})};
 };
 
-std::vector<fs::path> Sorted(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(folder)) paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  return paths;
+double P50(const Timings& timings) { return Quantile(timings.times_ms, 0.50); }
+double P99(const Timings& timings) { return Quantile(timings.times_ms, 0.99); }
+
+void EndLine(const Row& row) {
+  if (row.ipopt.num_failures + row.structured.num_failures > 0) {
+    std::printf(" unsolved: Ipopt %d, structured %d", row.ipopt.num_failures,
+                row.structured.num_failures);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
 }
 
-CentroidalOcp Read(const fs::path& path) {
-  std::ifstream file(path);
-  return OcpFromJson(nlohmann::json::parse(file));
+void PrintHeader() {
+  std::printf(
+      "| problem | Ipopt p50 / p99 / max ms | it. | structured p50 / p99 / max ms | it. p50 / max "
+      "| worst KKT | ratio p50 / p99 | cost | force | place m | other |\n"
+      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
 }
 
-void AddSequences(Table* table) {
-  for (const fs::path& folder : Sorted(fs::path(SIDESTEP_SOURCE_DIR) / "tests/data/mpc")) {
-    if (!fs::is_directory(folder)) continue;
-    Row cold, warm;
-    cold.name = folder.filename().string() + ", cold";
-    warm.name = folder.filename().string() + ", warm";
-    CentroidalOcp before;
-    MpcSolution answer;
-    for (const fs::path& path : Sorted(folder)) {
-      const CentroidalOcp ocp = Read(path);
-      MpcSolution guess;
-      if (before.knots == ocp.knots && !before.contacts.empty()) {
-        ShiftedGuess(before, answer, 1, ocp, &guess);
-        table->Add(ocp, &guess, &warm);
-      }
-      answer = table->Add(ocp, nullptr, &cold);
-      before = ocp;
+void Print(const Row& row) {
+  const Timings& a = row.ipopt;
+  const Timings& b = row.structured;
+  std::printf(
+      "| %s | %.1f / %.1f / %.1f | %.0f | %.2f / %.2f / %.2f | %.0f / %.0f | %.0e | %.0f / %.0f "
+      "| %+.0e | %.0e | %.0e | %d |",
+      row.name.c_str(), P50(a), P99(a), Quantile(a.times_ms, 1.0), Quantile(a.iterations, 0.5),
+      P50(b), P99(b), Quantile(b.times_ms, 1.0), Quantile(b.iterations, 0.5),
+      Quantile(b.iterations, 1.0), b.worst_kkt, P50(a) / P50(b), P99(a) / P99(b), row.worst_cost,
+      row.worst_force, row.worst_place_m, row.num_other_minima);
+  EndLine(row);
+}
+
+/// One folder's problems.
+struct Sequence {
+  std::string size;  ///< Knots x contacts x vertices of the contact with most.
+  Row cold, warm;
+};
+
+std::string Size(const CentroidalOcp& ocp) {
+  Eigen::Index vertices = 0;
+  for (const OcpContact& contact : ocp.contacts) {
+    vertices = std::max(vertices, contact.vertices_m.cols());
+  }
+  return std::to_string(ocp.knots) + " x " + std::to_string(ocp.contacts.size()) + " x " +
+         std::to_string(vertices);
+}
+
+Sequence SolveSequence(const std::string& folder, BackEnds* back_ends) {
+  Sequence sequence;
+  sequence.cold.name = folder + ", cold";
+  sequence.warm.name = folder + ", warm";
+  CentroidalOcp before;
+  MpcSolution answer;
+  for (const fs::path& path : ProblemFiles(RecordedFolder() / folder)) {
+    const CentroidalOcp ocp = ReadProblem(path);
+    MpcSolution guess;
+    if (before.knots == ocp.knots && !before.contacts.empty()) {
+      ShiftedGuess(before, answer, 1, ocp, &guess);
+      back_ends->Solve(ocp, &guess, &sequence.warm);
     }
-    Table::Print(cold);
-    Table::Print(warm);
+    answer = back_ends->Solve(ocp, nullptr, &sequence.cold);
+    before = ocp;
+  }
+  sequence.size = Size(before);
+  return sequence;
+}
+
+void AddSequences(BackEnds* back_ends) {
+  for (const std::string& folder : RecordedFolders()) {
+    const Sequence sequence = SolveSequence(folder, back_ends);
+    Print(sequence.cold);
+    Print(sequence.warm);
   }
 }
 
-void AddReference(Table* table) {
-  for (const fs::path& path : Sorted(ReferenceFolder())) {
-    if (path.extension() != ".json") continue;
+void PrintForReadme(BackEnds* back_ends) {
+  std::printf(
+      "| problem | knots x contacts x vertices | Ipopt p50 / p99 ms | structured p50 / p99 ms "
+      "| iterations | ratio p50 | ratio p99 | cold ratio p50 |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|\n");
+  for (const std::string& folder : RecordedFolders()) {
+    const Sequence sequence = SolveSequence(folder, back_ends);
+    const Timings& a = sequence.warm.ipopt;
+    const Timings& b = sequence.warm.structured;
+    std::printf("| `%s` | %s | %.0f / %.0f | %.1f / %.1f | %.0f / %.0f | %.0f | %.0f | %.0f |",
+                folder.c_str(), sequence.size.c_str(), P50(a), P99(a), P50(b), P99(b),
+                Quantile(a.iterations, 0.5), Quantile(b.iterations, 0.5), P50(a) / P50(b),
+                P99(a) / P99(b), P50(sequence.cold.ipopt) / P50(sequence.cold.structured));
+    EndLine(sequence.warm);
+  }
+}
+
+void AddReference(BackEnds* back_ends) {
+  for (const fs::path& path : ProblemFiles(ReferenceFolder())) {
     Row row;
     row.name = path.stem().string();
-    table->Add(Read(path), nullptr, &row);
-    Table::Print(row);
+    back_ends->Solve(ReadProblem(path), nullptr, &row);
+    Print(row);
   }
 }
 
-void AddScaling(Table* table) {
+void AddScaling(BackEnds* back_ends) {
   for (const int knots : {15, 30, 60, 120}) {
     Row row;
     row.name = "walk on two feet of 4, N = " + std::to_string(knots);
-    table->Add(WalkingProblem(knots, 2, 4), nullptr, &row);
-    Table::Print(row);
+    back_ends->Solve(WalkingProblem(knots, 2, 4), nullptr, &row);
+    Print(row);
   }
   for (const int feet : {1, 2, 4}) {
     for (const int vertices : {1, 4}) {
       Row row;
       row.name = std::to_string(feet) + " feet of " + std::to_string(vertices) + ", N = 15";
-      table->Add(WalkingProblem(15, feet, vertices), nullptr, &row);
-      Table::Print(row);
+      back_ends->Solve(WalkingProblem(15, feet, vertices), nullptr, &row);
+      Print(row);
     }
   }
 }
 
 int Main(int argc, char** argv) {
   setenv("OMP_NUM_THREADS", "1", 1);  // Before Ipopt's first use: MUMPS is slower on more.
-  Table table;
+  BackEnds back_ends;
+  if (argc > 1 && std::string(argv[1]) == "readme") {
+    PrintForReadme(&back_ends);
+    return 0;
+  }
+  PrintHeader();
   for (int i = 1; i < std::max(argc, 2); ++i) {
     const std::string what = argc > 1 ? argv[i] : "all";
-    if (what == "sequences" || what == "all") AddSequences(&table);
-    if (what == "reference" || what == "all") AddReference(&table);
-    if (what == "scaling" || what == "all") AddScaling(&table);
+    if (what == "sequences" || what == "all") AddSequences(&back_ends);
+    if (what == "reference" || what == "all") AddReference(&back_ends);
+    if (what == "scaling" || what == "all") AddScaling(&back_ends);
   }
   return 0;
 }
