@@ -2,18 +2,12 @@
 #include "controller/estimator/force_sensing.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "controller/estimator/low_pass.h"
 #include "models/support/require.h"
 
 namespace sidestep {
 namespace {
-
-// Share of the way that a first-order low-pass goes in one step.
-double LowPassShare(double cutoff_hz, double dt_s) {
-  const double ratio = 2.0 * std::numbers::pi * cutoff_hz * dt_s;
-  return ratio / (1.0 + ratio);
-}
 
 std::size_t IndexOf(const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);

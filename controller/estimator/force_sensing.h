@@ -35,6 +35,9 @@ class ForceSensing {
   /// Takes the velocity nu (nv) that the estimator settled on, for the next frame's acceleration.
   void NoteVelocity(const Eigen::VectorXd& velocity);
 
+  /// What the arms feel, smoothed, without deadband, about C, in W.
+  const Wrench& arms() const { return external_; }
+
  private:
   Wrench Touch(const SensorFrame& frame, std::size_t sensor, const Eigen::Vector3d& p_W) const;
   void SmoothExternal(const Wrench& wrench);

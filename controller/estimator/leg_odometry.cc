@@ -19,7 +19,8 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
       params_(params),
       dt_s_(dt_s),
       rigid_body_(rigid_body),
-      forces_(robot, params, dt_s, rigid_body) {
+      forces_(robot, params, dt_s, rigid_body),
+      observer_(params, rigid_body->mass_kg(), dt_s) {
   const Eigen::Index size = FootAt(robot.feet.size());
   x_.setZero(size);
   P_.setIdentity(size, size);
@@ -60,6 +61,7 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame) {
   rigid_body_->UpdateKinematics(state_);
   rigid_body_->FillDerived(&state_);
   forces_.NoteVelocity(rigid_body_->velocity());
+  observer_.Update(forces_.arms().force_N, frame.force_torque_age_s, &state_);
   return state_;
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "controller/estimator/force_sensing.h"
+#include "controller/estimator/momentum_observer.h"
 #include "controller/estimator/state_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
@@ -44,6 +45,7 @@ class LegOdometry final : public StateEstimator {
   double dt_s_;
   RigidBody* rigid_body_;
   ForceSensing forces_;
+  MomentumObserver observer_;
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd PHt_;   // scratch

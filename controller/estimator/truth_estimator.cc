@@ -7,7 +7,9 @@ namespace sidestep {
 
 TruthEstimator::TruthEstimator(const RobotDescription& robot, const EstimatorParams& params,
                                double dt_s, RigidBody* rigid_body)
-    : rigid_body_(rigid_body), forces_(robot, params, dt_s, rigid_body) {
+    : rigid_body_(rigid_body),
+      forces_(robot, params, dt_s, rigid_body),
+      observer_(params, rigid_body->mass_kg(), dt_s) {
   state_.feet.resize(rigid_body->feet().size());
   state_.joint_position.setZero(rigid_body->num_actuators());
   state_.joint_velocity.setZero(rigid_body->num_actuators());
@@ -25,6 +27,7 @@ const RobotState& TruthEstimator::Update(const SensorFrame& frame) {
   rigid_body_->FillDerived(&state_);
   forces_.Update(frame, &state_);
   forces_.NoteVelocity(rigid_body_->velocity());
+  observer_.Update(forces_.arms().force_N, frame.force_torque_age_s, &state_);
   return state_;
 }
 

@@ -4,6 +4,7 @@
 // plant.
 
 #include "controller/estimator/force_sensing.h"
+#include "controller/estimator/momentum_observer.h"
 #include "controller/estimator/state_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
@@ -23,6 +24,7 @@ class TruthEstimator final : public StateEstimator {
  private:
   RigidBody* rigid_body_;
   ForceSensing forces_;
+  MomentumObserver observer_;
   RobotState state_;
 };
 

@@ -46,10 +46,19 @@ void GaitPlanner::NoteLandings(const RobotState& state, Tick tick) {
       NominalContact& landed = contacts[landed_[foot]++];
       landed.landing_shift = Shift(landed.sequence);
       if (!landed.decided) landed.contact.adjusted_p_WF += landed.landing_shift;
-      shift_[static_cast<std::size_t>(landed.sequence)] = CapturePointError(state, tick);
+      const bool goes_with_the_foot = params_.follow == FollowMode::kPath;
+      shift_[static_cast<std::size_t>(landed.sequence)] =
+          goes_with_the_foot ? Displacement(landed.contact) : CapturePointError(state, tick);
       last_landing_ = std::max(last_landing_, landed.sequence);
     }
   }
+}
+
+// How far from its nominal place a foot has landed.
+Eigen::Vector3d GaitPlanner::Displacement(const PlannedContact& landed) {
+  Eigen::Vector3d displacement = landed.adjusted_p_WF - landed.nominal_p_WF;
+  displacement.z() = 0.0;
+  return displacement;
 }
 
 Eigen::Vector3d GaitPlanner::CapturePointError(const RobotState& state, Tick tick) const {

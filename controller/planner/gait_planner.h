@@ -57,6 +57,7 @@ class GaitPlanner {
   bool StandsForNow(const RobotState& state, Tick tick) const;
   void KeepFeetApart(Tick tick);
   void NoteLandings(const RobotState& state, Tick tick);
+  static Eigen::Vector3d Displacement(const PlannedContact& landed);
   Eigen::Vector3d CapturePointError(const RobotState& state, Tick tick) const;
   ComReference KnotState(std::size_t at, bool shifted) const;
   ComReference Reference(Tick tick, bool shifted) const;

@@ -92,6 +92,8 @@ struct EstimatorParams {
   double contact_threshold_N{0.3};
   double wrench_cutoff_hz{10.0};   ///< Low-pass of the estimated external wrench.
   double wrench_deadband_N{15.0};  ///< An estimated force below this is taken for none.
+  double push_cutoff_hz{0.0};      ///< Low-pass of pushes seen in the momentum; 0 looks for none.
+  double push_deadband_N{20.0};    ///< A push below this is taken for none.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -102,6 +104,8 @@ struct EstimatorParams {
     visit("contact_threshold_N", self.contact_threshold_N, Range{0.0, 1e4});
     visit("wrench_cutoff_hz", self.wrench_cutoff_hz, Range{0.1, 1e4});
     visit("wrench_deadband_N", self.wrench_deadband_N, Range{0.0, 1e3});
+    visit("push_cutoff_hz", self.push_cutoff_hz, Range{0.0, 1e3});
+    visit("push_deadband_N", self.push_deadband_N, Range{0.0, 1e3});
   }
 };
 

@@ -48,8 +48,10 @@ struct SensorFrame {
   Eigen::VectorXd joint_velocity;  ///< rad/s or m/s.
   std::vector<FootSample> feet;
   /// One a force/torque sensor of the robot: what its distal part does to its proximal part, in the
-  /// sensor's site, about its origin. May be older than the rest (sensors.wrench_delay_s).
+  /// sensor's site, about its origin; the mean over the period that ends now, as the sensor's own
+  /// filter against aliasing makes it. May be older than the rest (sensors.wrench_delay_s).
   std::vector<Wrench> force_torque;
+  double force_torque_age_s{0.0};  ///< By how much, as its time stamp tells.
   std::optional<TruthSample> truth;
   std::optional<CentroidalSample> centroidal;
   /// The push acting now, about the CoM, in W; present only under `external_wrench: known`.

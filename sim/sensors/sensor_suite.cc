@@ -35,6 +35,7 @@ SensorSuite::SensorSuite(const Scenario& scenario, double mass_kg)
       tells_truth_(scenario.control.estimator == EstimatorKind::kTruth),
       tells_push_(scenario.control.external_wrench == ExternalWrenchKnowledge::kKnown),
       mass_kg_(mass_kg),
+      control_rate_hz_(scenario.control.rate_hz),
       delay_frames_(NumFrames(scenario.sensors.delay_s, scenario.control.rate_hz)),
       wrench_delay_frames_(NumFrames(scenario.sensors.wrench_delay_s, scenario.control.rate_hz)),
       seed_(scenario.seed),
@@ -104,6 +105,8 @@ void SensorSuite::SampleForceTorque(const WorldTruth& truth, SensorFrame* frame)
   }
   wrenches_in_transit_.push_back(std::move(now));
   frame->force_torque = wrenches_in_transit_.front();
+  frame->force_torque_age_s =
+      static_cast<double>(wrenches_in_transit_.size() - 1) / control_rate_hz_;
   if (wrenches_in_transit_.size() > wrench_delay_frames_) wrenches_in_transit_.pop_front();
 }
 

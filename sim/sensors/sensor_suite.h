@@ -36,6 +36,7 @@ class SensorSuite {
   bool tells_truth_;
   bool tells_push_;
   double mass_kg_;
+  double control_rate_hz_;
   std::vector<bool> has_touch_;  // of each foot
   std::size_t delay_frames_;
   std::size_t wrench_delay_frames_;

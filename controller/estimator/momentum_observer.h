@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// momentum_observer: a push anywhere on the robot, from what the ground does not explain.
+//
+//   F = d(m v_C)/dt - m g - sum f_F,      smoothed
+//
+// Over one period the change of the believed momentum is compared with the mean of the feet's
+// forces in it, which is what the sensors give (SensorFrame::force_torque): momentary forces would
+// let a landing's shock pass for a push. What the arms' sensors explain is taken off; the
+// rest has no known point of attack and counts as acting at the CoM. Horizontal only: vertically a
+// wrong mass would look like a push. Source: De Luca et al., "Collision detection and safe
+// reaction...", IROS 2006, in its centroidal form.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/types/control_params.h"
+#include "controller/types/robot_state.h"
+
+namespace sidestep {
+
+class MomentumObserver {
+ public:
+  /// Observes nothing if EstimatorParams::push_cutoff_hz is 0. `dt_s` is the time between frames.
+  MomentumObserver(const EstimatorParams& params, double mass_kg, double dt_s);
+
+  /// Adds what it sees to the state's external wrench. `arms_N` is what the arms' sensors see,
+  /// `age_s` how much older the feet's wrenches are than the rest of the state. Call it once a
+  /// frame, when the state is final. Does not allocate.
+  void Update(const Eigen::Vector3d& arms_N, double age_s, RobotState* state);
+
+ private:
+  EstimatorParams params_;
+  double mass_kg_;
+  double dt_s_;
+  std::vector<Eigen::Vector2d> velocity_mps_;  // of the CoM, horizontal: a ring of the last frames
+  std::size_t num_frames_{0};
+  Eigen::Vector2d force_N_{Eigen::Vector2d::Zero()};
+};
+
+}  // namespace sidestep
