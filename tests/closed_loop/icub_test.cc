@@ -22,10 +22,15 @@ TEST(IcubTest, Stands) { ExpectPass("icub_stand"); }
 
 TEST(IcubTest, BearsAShoveAtTheChestStanding) { ExpectPass("icub_stand_push"); }
 
-TEST(IcubTest, FallsUnderThreeTimesTheShoveAtTheChest) {
+TEST(IcubTest, FallsUnderTwiceTheShoveAtTheChest) {
   const ClosedLoopRun run(
       "icub_stand_push",
-      {"pushes=[{body: chest, force_N: [180, 0, 0], start_s: 2.0, duration_s: 0.5}]"});
+      {"pushes=[{body: chest, force_N: [160, 0, 0], start_s: 2.0, duration_s: 0.5}]"});
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+}
+
+TEST(IcubTest, FallsUnderTheShoveAtTheChestIfItDoesNotFeelIt) {
+  const ClosedLoopRun run("icub_stand_push", {"control.estimation.push_cutoff_hz=0"});
   EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
 }
 
