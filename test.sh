@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every test of the repository: installs missing packages, builds twice, runs twice.
 #   dev      asserts and sanitizers: unit and layering tests
-#   release  what users run: the QP and allocation tests and the closed loops
+#   release  what users run: the QP again, allocations, the MPC's recorded problems, closed loops
 # Clean clone to verdict in minutes; a second time only what changed is built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -27,7 +27,7 @@ current="unit and layering tests with sanitizers (preset dev)"
 step "$current"
 ctest --preset dev --parallel "$jobs" --no-tests=error --label-regex 'unit|layering'
 
-current="QP, allocation and closed-loop tests (preset release)"
+current="QP, MPC, allocation and closed-loop tests (preset release)"
 step "$current"
 ctest --preset release --parallel "$jobs" --no-tests=error --label-regex 'unit|closed_loop'
 

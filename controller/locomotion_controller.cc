@@ -113,6 +113,7 @@ void LocomotionController::Estimate(const SensorFrame& frame) {
     tick_.state.external_wrench = frame.known_external_wrench.value_or(Wrench{});
   }
   if (rigid_body_ == nullptr) return;
+  // Inverse dynamics needs all of it; without it only the MPC's reference reads M, at its ticks.
   const bool is_torque = setup_.control.mode == ControlMode::kTorque;
   if (is_torque || IsMpcTick()) rigid_body_->UpdateJacobians();
   if (is_torque) rigid_body_->UpdateBias();

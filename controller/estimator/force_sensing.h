@@ -6,10 +6,10 @@
 // A force/torque sensor feels all that acts on its distal part: what touches it, its weight and its
 // inertia. The nominal model predicts the last two, so
 //   w_touch = w_measured - w_unloaded(q, nu, nudot)
-// with nudot the change of the belief's velocity since the frame before; the difference is
-// smoothed, so that both its parts are smoothed alike. Source: the Newton-Euler equations of the
-// distal part, as in Ivaldi et al., "Computing robot internal/external wrenches by means of
-// inertial, tactile and F/T sensors", Humanoids 2011.
+// with nudot the change of the belief's velocity over the period before the last (the last one's is
+// not known yet), whatever the age of the readings. The difference is smoothed. Source: the
+// Newton-Euler equations of the distal part, as in Ivaldi et al., "Computing robot
+// internal/external wrenches by means of inertial, tactile and F/T sensors", Humanoids 2011.
 
 #include <Eigen/Core>
 #include <vector>

@@ -10,13 +10,13 @@
 namespace sidestep {
 namespace {
 
-// World around the robot for the controller: nothing but gravity.
 using ConstVector3Map = Eigen::Map<const Eigen::Vector3d>;
 using ConstMatrix3Map = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 // MuJoCo's force and torque sensors tell what the parent does to the child; we tell the opposite.
 constexpr double kDistalOnProximal = -1.0;
 
+// World around the robot for the controller: nothing but gravity.
 constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.xml\"/></mujoco>";
 
 }  // namespace

@@ -66,10 +66,11 @@ class RigidBody {
   /// Poses and velocities: of feet, IMU and torso, the CoM, the angular momentum.
   void UpdateKinematics(const RobotState& state);
 
-  /// M and the Jacobians, at the state of the last UpdateKinematics().
+  /// M with base_inertia(), and the Jacobians of CoM, feet and torso, at the state of the last
+  /// UpdateKinematics(). They keep that state until the next call.
   void UpdateJacobians();
 
-  /// h and the terms Jdot nu, at the state of the last UpdateKinematics().
+  /// h, com_bias_mps2() and the feet's bias_mps2, at the state of the last UpdateKinematics().
   void UpdateBias();
 
   /// Predicts the force/torque sensors for the acceleration `nudot` (nv) at the state of the last

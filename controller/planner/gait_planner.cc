@@ -9,6 +9,7 @@
 #include "controller/planner/recovery.h"
 
 namespace sidestep {
+
 GaitPlanner::GaitPlanner(NominalGait gait, const PlannerParams& params, Tick horizon, double tick_s)
     : gait_(std::move(gait)),
       params_(params),

@@ -7,8 +7,9 @@
 // at no more than path_return_m a step. At each landing the shift becomes the capture point's
 // distance from where the nominal motion would have it:
 //   shift = (p_WC + v_WC / w) - (p_ref + v_ref / w),   w = sqrt(g / h)
-// Source of the capture point: Pratt et al., "Capture point: a step toward humanoid push recovery",
-// Humanoids 2006.
+// With FollowMode::kPath the gait stays where it is until steps are inserted (params.recovery);
+// from then on the shift is how far from its nominal place a foot has landed. Source of the capture
+// point: Pratt et al., "Capture point: a step toward humanoid push recovery", Humanoids 2006.
 
 #include <Eigen/Core>
 #include <optional>

@@ -31,7 +31,7 @@ struct EnumNames<ControlMode> {
 /// What the controller knows of a push.
 enum class ExternalWrenchKnowledge {
   kUnknown,    ///< Nothing but what it does to the state.
-  kEstimated,  ///< What the force/torque sensors of the arms feel.
+  kEstimated,  ///< What it feels: by the arms' force/torque sensors and by its momentum.
   kKnown       ///< All, from the simulation.
 };
 
@@ -92,7 +92,8 @@ struct EstimatorParams {
   double contact_threshold_N{0.3};
   double wrench_cutoff_hz{10.0};   ///< Low-pass of the estimated external wrench.
   double wrench_deadband_N{15.0};  ///< An estimated force below this is taken for none.
-  double push_cutoff_hz{0.0};      ///< Low-pass of pushes seen in the momentum; 0 looks for none.
+  double push_cutoff_hz{0.0};      ///< Low-pass of pushes seen in the momentum, by feet with
+                                   ///< force/torque sensors; 0: none.
   double push_deadband_N{20.0};    ///< A push below this is taken for none.
 
   template <typename Self, typename Visitor>

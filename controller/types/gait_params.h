@@ -53,7 +53,7 @@ struct GaitParams {
 
 /// Where nominal footholds go once the robot was pushed off its path.
 enum class FollowMode {
-  kPath,         ///< They stay where the gait put them in the world.
+  kPath,         ///< They stay where the gait put them, or where a recovery led.
   kCapturePoint  ///< They move with the capture point at each landing, then drift back.
 };
 
@@ -83,7 +83,7 @@ struct RecoveryParams {
 
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
-  double path_return_m{0.05};    ///< capture_point: largest drift back to the path in one step.
+  double path_return_m{0.05};    ///< Largest drift back to the path in one step, once off it.
   double min_step_width_m{0.0};  ///< Of two feet: what no step adjustment may go below.
   /// CoM reference in the middle of a walk's swing: this share of the way from the path to the foot
   /// that stands. 0 as in the paper, whose reference stays on the path.

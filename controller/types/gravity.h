@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// gravity: the one figure that both plants, the controller and the verdict share.
+// gravity: the one figure of the centroidal plant, the controller and the verdict; MuJoCo's
+// default.
 
 namespace sidestep {
 

@@ -25,7 +25,8 @@ namespace sidestep::wbc {
 
 class InverseDynamics final : public WholeBody {
  public:
-  /// `rigid_body` must outlive this object and be at the state given to Solve().
+  /// `rigid_body` must outlive this object and be updated, Jacobians and bias too, to the state
+  /// given to Solve().
   InverseDynamics(const RobotDescription& robot, const WbcParams& params,
                   const RigidBody* rigid_body);
 

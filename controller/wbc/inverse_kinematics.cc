@@ -91,6 +91,7 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
   } else {
     nu_.setZero();
   }
+  // Ahead of Integrate(), which moves the kinematics only: torques change little in a tick.
   const Eigen::VectorXd* deflection =
       params_.compensates_deflection ? &deflection_.Update(body_, feet) : nullptr;
   Integrate(nu_);

@@ -92,6 +92,14 @@ void CheckAbilities(const Scenario& scenario, const ConfigTree& root) {
                      (has_body ? "'" + scenario.robot + "'" : "the centroidal plant") +
                      " lacks; write external_wrench: unknown or known");
   }
+  const bool feels_the_ground =
+      std::all_of(robot.feet.begin(), robot.feet.end(),
+                  [](const FootDescription& foot) { return !foot.force_torque.empty(); });
+  if (scenario.control.estimation.push_cutoff_hz > 0.0 && !feels_the_ground) {
+    FailAtEither(root, "control.estimation.push_cutoff_hz", "robot",
+                 "> 0 needs force/torque sensors in the feet, which '" + scenario.robot +
+                     "' lacks; write push_cutoff_hz: 0");
+  }
 }
 
 void CheckGaits(const Scenario& scenario, const ConfigTree& root) {

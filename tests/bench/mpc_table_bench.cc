@@ -2,7 +2,7 @@
 // Prints the table that compares the MPC's back ends: both solve the same problems from the same
 // starts, one after the other, in one run. CPU times of the one thread:
 //
-//   OMP_NUM_THREADS=1 nice build/release/tests/bench/mpc_table_bench
+//   OMP_NUM_THREADS=1 nice build/bench/tests/bench/mpc_table_bench
 //
 // `sequences` are consecutive problems of closed-loop runs (tests/data/mpc): cold, and warm from
 // Ipopt's answer to the one before, shifted. `reference` are the problems of tests/data/reference,

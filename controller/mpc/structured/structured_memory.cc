@@ -4,6 +4,7 @@
 #include <algorithm>
 
 namespace sidestep::mpc::structured {
+
 void Memory::Take(const ProblemView& view, Workspace* workspace) {
   const std::size_t point = Size(view.at.size);
   const std::size_t slots = Size(view.num_slots);

@@ -6,6 +6,7 @@
 #include "controller/mpc/structured/structured_problem.h"
 
 namespace sidestep::mpc::structured {
+
 void StructuredProblem::Build(const CentroidalOcp& ocp) {
   Reserve(ocp);
   FindLocations(ocp);

@@ -85,7 +85,7 @@ void AddRobotsCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("robots", "List the robots that ship, or tell of one");
   const auto arguments = std::make_shared<RobotsArguments>();
   command->add_option("ROBOT", arguments->robot, "A shipped robot, or a path to a robot.yaml");
-  command->add_option("--mjcf", arguments->mjcf, "Write the MJCF that MuJoCo simulates")
+  command->add_option("--mjcf", arguments->mjcf, "Write its MJCF, with what is only drawn")
       ->type_name("FILE");
   command->callback([arguments, &exit_code] { exit_code = Robots(*arguments); });
 }

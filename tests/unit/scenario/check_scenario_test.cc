@@ -53,6 +53,14 @@ TEST_F(CheckScenarioTest, EstimatedWrenchNeedsSensorsInTheArms) {
             "external_wrench: unknown or known");
 }
 
+TEST_F(CheckScenarioTest, PushesAreFeltThroughTheFeet) {
+  EXPECT_EQ(
+      ErrorOfEdit("mode: torque", "estimation: {push_cutoff_hz: 3}"),
+      "a.yaml:8:32: error: control.estimation.push_cutoff_hz > 0 needs force/torque sensors in "
+      "the feet, which 'mini' lacks; write push_cutoff_hz: 0");
+  EXPECT_EQ(ErrorOfEdit("mode: torque", "estimation: {push_cutoff_hz: 0}"), "no error");
+}
+
 TEST_F(CheckScenarioTest, RobotsThatCanMayDoBoth) {
   Scenario scenario = Read(valid_);
   const ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", valid_));

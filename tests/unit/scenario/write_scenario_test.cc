@@ -135,6 +135,7 @@ TEST_F(WriteScenarioTest, EveryFieldKeepsEveryBit) {
     scenario.control.mpc.step_s = 0.033;
     scenario.control.mpc.box_lower_m = -scenario.control.mpc.box_upper_m.cwiseAbs();
     scenario.control.mpc.box_upper_m = scenario.control.mpc.box_upper_m.cwiseAbs();
+    scenario.control.estimation.push_cutoff_hz = 0.0;
     ExpectSame(scenario, Read(ResolvedYaml(scenario)));
   }
 }
