@@ -70,6 +70,20 @@ Eigen::Vector3d GaitPlanner::CapturePointError(const RobotState& state, Tick tic
   return error;
 }
 
+void GaitPlanner::EnableRecovery(const RecoverySetup& setup) {
+  constexpr std::size_t kKnotsOfAStep = 7;  // at most, with standing before and after
+  recovery_ = setup;
+  const RecoveryParams& params = params_.recovery;
+  const Tick step = TickAt(params.swing_s + params.double_support_s, tick_s_);
+  const auto more = static_cast<std::size_t>(setup.end_tick / step + params.steps + 1);
+  gait_.com.reserve(gait_.com.size() + kKnotsOfAStep * more);
+  shift_.reserve(shift_.size() + more);
+  for (std::size_t foot = 0; foot < gait_.feet.size(); ++foot) {
+    gait_.feet[foot].reserve(gait_.feet[foot].size() + more);
+    plan_.feet[foot].reserve(gait_.feet[foot].size() + more);
+  }
+}
+
 // Both feet on the ground, in the plan and by feel, and none of them about to leave it.
 bool GaitPlanner::StandsForNow(const RobotState& state, Tick tick) const {
   for (std::size_t foot = 0; foot < gait_.feet.size(); ++foot) {

@@ -37,7 +37,8 @@ class GaitPlanner {
   GaitPlanner(NominalGait gait, const PlannerParams& params, Tick horizon, double tick_s);
 
   /// Lets the planner insert steps (params.recovery) when both feet stand and can't hold the robot.
-  void EnableRecovery(const RecoverySetup& setup) { recovery_ = setup; }
+  /// Takes the memory for as many as there is time for; Update() takes none.
+  void EnableRecovery(const RecoverySetup& setup);
 
   /// Contacts that end after `tick` and begin before tick + horizon, for every foot; at
   /// least one a foot. Call with non-decreasing ticks. A contact that has begun is reported where

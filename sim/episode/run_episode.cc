@@ -67,6 +67,7 @@ double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder
     }
     if (tick == num_ticks || judge->finished() || !world->is_valid() || InterruptRequested()) break;
     world->Step(tick);
+    sensors.Feel(world->truth());
   }
   NoteInvalid(*world, SecondsAt(tick, tick_s), judge);
   return SecondsAt(tick, tick_s);

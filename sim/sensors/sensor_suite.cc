@@ -97,8 +97,19 @@ void SensorSuite::SampleFeet(const WorldTruth& truth, SensorFrame* frame) {
   }
 }
 
+void SensorSuite::Feel(const WorldTruth& truth) {
+  if (num_felt_ == 0) mean_wrenches_.assign(truth.force_torque.size(), Wrench{});
+  ++num_felt_;
+  for (std::size_t i = 0; i < mean_wrenches_.size(); ++i) {
+    Wrench& mean = mean_wrenches_[i];
+    mean.force_N += (truth.force_torque[i].force_N - mean.force_N) / num_felt_;
+    mean.torque_Nm += (truth.force_torque[i].torque_Nm - mean.torque_Nm) / num_felt_;
+  }
+}
+
 void SensorSuite::SampleForceTorque(const WorldTruth& truth, SensorFrame* frame) {
-  std::vector<Wrench> now = truth.force_torque;
+  std::vector<Wrench> now = num_felt_ > 0 ? mean_wrenches_ : truth.force_torque;
+  num_felt_ = 0;
   for (Wrench& wrench : now) {
     wrench.force_N += params_.force_bias_N + Noise3(params_.force_noise_N);
     wrench.torque_Nm += Noise3(params_.torque_noise_Nm);

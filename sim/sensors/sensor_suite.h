@@ -18,6 +18,10 @@ class SensorSuite {
  public:
   SensorSuite(const Scenario& scenario, double mass_kg);
 
+  /// Takes in a physics step. Force/torque sensors give the mean of the steps since the last
+  /// Read(), as their own filters against aliasing do; without any, what acts at the moment.
+  void Feel(const WorldTruth& truth);
+
   /// The frame that arrives at `tick`: the reading of delay_s ago, or the last frame again where
   /// one drops out. Truth and push are in it only as far as the scenario lets the controller know.
   SensorFrame Read(const WorldTruth& truth, Tick tick);
@@ -44,7 +48,9 @@ class SensorSuite {
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_{0.0, 1.0};
   std::uniform_real_distribution<double> uniform_{0.0, 1.0};
-  Eigen::VectorXd encoder_bias_;  // of each joint, drawn with the first frame
+  Eigen::VectorXd encoder_bias_;       // of each joint, drawn with the first frame
+  std::vector<Wrench> mean_wrenches_;  // of the steps since the last Read()
+  int num_felt_{0};                    // those steps
   std::deque<std::vector<Wrench>> wrenches_in_transit_;  // oldest first
   std::deque<SensorFrame> in_transit_;                   // oldest first
   SensorFrame last_;

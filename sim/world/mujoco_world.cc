@@ -39,7 +39,6 @@ MujocoWorld::MujocoWorld(const Scenario& scenario)
       data_(MakeData(*model_)),
       pushes_(scenario.pushes, scenario.world.step_s),
       mass_kg_(mj_getTotalmass(model_.get())),
-      control_period_(TickAt(1.0 / scenario.control.rate_hz, scenario.world.step_s)),
       servos_(scenario.description_of_robot.joints, MotorRanges(*model_)) {
   ResolveNames(scenario);
   PlaceAtHome(*model_, scenario.description_of_robot, data_.get());
@@ -120,7 +119,6 @@ void MujocoWorld::ResolvePushes(const std::vector<Push>& pushes) {
 void MujocoWorld::Apply(const ActuatorCommand& command) { servos_.Apply(command); }
 
 void MujocoWorld::Step(Tick tick) {
-  num_averaged_ = tick % control_period_ == 0 ? 1 : num_averaged_ + 1;
   ApplyPushes();
   servos_.Update(truth_.joint_position, truth_.joint_velocity);
   Eigen::Map<Eigen::VectorXd>(data_->ctrl, model_->nu) = servos_.torque_Nm();
@@ -254,11 +252,9 @@ void MujocoWorld::ReadSensors() {
   // MuJoCo 2.2.2 tells what the parent does to the site's body (measured: -m g on a standing
   // foot); ours is what that body, the distal part, does to its parent.
   for (std::size_t i = 0; i < force_torque_.size(); ++i) {
-    const Wrench now{-ConstVector3Map(data_->sensordata + force_torque_[i].force),
-                     -ConstVector3Map(data_->sensordata + force_torque_[i].torque)};
-    Wrench& mean = truth_.force_torque[i];
-    mean.force_N += (now.force_N - mean.force_N) / num_averaged_;
-    mean.torque_Nm += (now.torque_Nm - mean.torque_Nm) / num_averaged_;
+    truth_.force_torque[i].force_N = -ConstVector3Map(data_->sensordata + force_torque_[i].force);
+    truth_.force_torque[i].torque_Nm =
+        -ConstVector3Map(data_->sensordata + force_torque_[i].torque);
   }
 }
 

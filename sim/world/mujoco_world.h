@@ -77,8 +77,6 @@ class MujocoWorld final : public World {
   std::vector<Foot> feet_;
   std::vector<int> joint_;  // of each actuator
   std::vector<JointInfo> joints_;
-  Tick control_period_;
-  int num_averaged_{1};  // steps since the last control tick
   JointServos servos_;
   ImuSensors imu_;
   std::vector<ForceTorqueSensor> force_torque_;

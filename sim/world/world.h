@@ -51,7 +51,7 @@ struct WorldTruth {
   ImuSample imu;  ///< As a perfect unit reads; the acceleration of the step that led here.
   std::vector<FootTruth> feet;
   /// As perfect sensors read, in the order of the robot's: distal on proximal, in the sensor's
-  /// site, about its origin; the mean since the last control tick.
+  /// site, about its origin; of the step that led here.
   std::vector<Wrench> force_torque;
   std::vector<PushTruth> pushes;     ///< One a scripted push; zero force while it does not act.
   bool body_touches_ground{false};   ///< Anything but a foot.

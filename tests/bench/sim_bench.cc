@@ -95,6 +95,7 @@ void BM_ControlTick(benchmark::State& state) {
         world->Apply(control.command);
       }
       world->Step(tick);
+      sensors.Feel(world->truth());
     }
     state.SetIterationTime(1e-6 * total_us);
   }

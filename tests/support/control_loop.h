@@ -28,6 +28,7 @@ void RunControlLoop(const Scenario& scenario, double duration_s, Look&& look) {
       world.Apply(control.command);
     }
     world.Step(tick);
+    sensors.Feel(world.truth());
   }
 }
 

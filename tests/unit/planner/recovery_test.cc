@@ -44,6 +44,12 @@ GaitPlanner Planner(bool enabled) {
   return planner;
 }
 
+RobotState MovingForward(double speed_times_time_constant_m) {
+  RobotState state = Standing();
+  state.v_WC.x() = speed_times_time_constant_m * std::sqrt(20.0);
+  return state;
+}
+
 std::size_t PlannedContacts(const ContactPlan& plan) {
   return plan.feet[0].size() + plan.feet[1].size();
 }
@@ -68,15 +74,13 @@ TEST(RecoveryTest, DistanceIsZeroBetweenTheFeetAndCountsFromTheHullOutside) {
 
 TEST(RecoveryTest, RobotThatItsFeetCanHoldGoesOnStanding) {
   GaitPlanner planner = Planner(true);
-  RobotState state = Standing();
-  state.v_WC.x() = 0.05 * std::sqrt(20.0);
+  const RobotState state = MovingForward(0.05);
   EXPECT_EQ(PlannedContacts(planner.Update(state, 100)), 2u);
 }
 
 TEST(RecoveryTest, RobotThatItsFeetCannotHoldStepsTowardsTheCapturePoint) {
   GaitPlanner planner = Planner(true);
-  RobotState state = Standing();
-  state.v_WC.x() = 0.3 * std::sqrt(20.0);
+  const RobotState state = MovingForward(0.3);
   const ContactPlan& plan = planner.Update(state, 100);
   EXPECT_GT(PlannedContacts(plan), 2u);
   double farthest_m = 0.0;
@@ -90,15 +94,13 @@ TEST(RecoveryTest, RobotThatItsFeetCannotHoldStepsTowardsTheCapturePoint) {
 
 TEST(RecoveryTest, NothingStepsUnlessItIsEnabled) {
   GaitPlanner planner = Planner(false);
-  RobotState state = Standing();
-  state.v_WC.x() = 0.3 * std::sqrt(20.0);
+  const RobotState state = MovingForward(0.3);
   EXPECT_EQ(PlannedContacts(planner.Update(state, 100)), 2u);
 }
 
 TEST(RecoveryTest, StepsBeginOnTheGridOnly) {
   GaitPlanner planner = Planner(true);
-  RobotState state = Standing();
-  state.v_WC.x() = 0.3 * std::sqrt(20.0);
+  const RobotState state = MovingForward(0.3);
   EXPECT_EQ(PlannedContacts(planner.Update(state, 101)), 2u);
   EXPECT_GT(PlannedContacts(planner.Update(state, 150)), 2u);
 }

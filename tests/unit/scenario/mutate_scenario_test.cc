@@ -10,11 +10,7 @@
 namespace sidestep::mutate_scenario_test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kCases = 500;
-#else
 constexpr int kCases = 2000;
-#endif
 
 class MutateScenarioTest : public ScenarioFixture {
  protected:

@@ -8,10 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/mpc/centroidal_nlp.h"
 #include "controller/mpc/centroidal_solver.h"
-#include "controller/mpc/nlp_points.h"
 #include "controller/mpc/shifted_guess.h"
+#include "tests/support/honest_solution.h"
 #include "tests/support/recorded_problems.h"
 #include "tests/support/solution_difference.h"
 
@@ -22,23 +21,10 @@ constexpr double kCostTolerance = 1e-6;     // Relative.
 constexpr double kKktTolerance = 1e-6;      // Scaled as Ipopt scales; both solvers aim at 1e-8.
 constexpr double kForceTolerance = 1e-4;    // Of body weight; measured: at most 4e-6.
 constexpr double kPlaceTolerance_m = 1e-4;  // Measured: at most 2e-6.
-constexpr double kViolation = 1e-8;         // SI, a kg of the robot; as for random problems.
 
 const MpcSolution& Better(const MpcSolution& a, const MpcSolution& b) {
   if (IsUsable(a.status) != IsUsable(b.status)) return IsUsable(a.status) ? a : b;
   return b.cost < a.cost ? b : a;
-}
-
-/// What the answer says of itself, by code that its solver does not share: a lower cost than
-/// Ipopt's is worth nothing at a point that breaks the constraints.
-void ExpectHonest(const CentroidalOcp& ocp, const MpcSolution& solution) {
-  EXPECT_LE(solution.kkt_error, kKktTolerance);
-  CentroidalNlp nlp;
-  nlp.SetProblem(ocp);
-  Eigen::VectorXd x;
-  PackPoint(ocp, nlp.layout(), solution, &x);
-  EXPECT_NEAR(nlp.Cost(x), solution.cost, 1e-9 * solution.cost);
-  EXPECT_LT(nlp.ConstraintViolation(x), kViolation * std::max(1.0, ocp.mass_kg));
 }
 
 void ExpectAgreement(const CentroidalOcp& ocp, const MpcSolution& ours, const MpcSolution& theirs) {

@@ -124,32 +124,6 @@ TEST_F(HumanoidWorldTest, SensorOfTheArmReadsAPushOnTheHand) {
   EXPECT_LT((pushed.torque_Nm - still.torque_Nm - torque_Nm).norm(), 0.05 * torque_Nm.norm());
 }
 
-TEST_F(HumanoidWorldTest, SensorsOfForceGiveTheMeanSinceTheLastControlTick) {
-  // Dropped, so that no step's forces are like another's.
-  scenario_.description_of_robot.base_height_m += 0.02;
-  scenario_.control.rate_hz = 1000.0;
-  MujocoWorld momentary(scenario_);
-  scenario_.control.rate_hz = 200.0;
-  MujocoWorld averaged(scenario_);
-  for (MujocoWorld* world : {&momentary, &averaged}) {
-    world->Apply(Home(scenario_.description_of_robot, 8, 0.1));
-  }
-  double largest_spread_N = 0.0;
-  for (Tick period = 0; period < 30; ++period) {
-    Eigen::Vector3d sum_N = Eigen::Vector3d::Zero(), last_N = Eigen::Vector3d::Zero();
-    for (Tick tick = 5 * period; tick < 5 * (period + 1); ++tick) {
-      momentary.Step(tick);
-      averaged.Step(tick);
-      last_N = momentary.truth().force_torque[1].force_N;
-      sum_N += last_N;
-    }
-    const Eigen::Vector3d mean_N = averaged.truth().force_torque[1].force_N;
-    EXPECT_LT((mean_N - sum_N / 5.0).norm(), 1e-9 * (1.0 + mean_N.norm())) << period;
-    largest_spread_N = std::max(largest_spread_N, (mean_N - last_N).norm());
-  }
-  EXPECT_GT(largest_spread_N, 10.0) << "else a mean is like any of its parts";
-}
-
 TEST_F(HumanoidWorldTest, PushForwardMovesTheCentreOfPressureForward) {
   // By hand: upward force ahead of F turns about -y.
   const auto pressure_x_m = [&](double force_N) {
