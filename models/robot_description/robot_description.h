@@ -44,6 +44,7 @@ struct RobotDescription {
   std::filesystem::path urdf;  ///< Absolute; empty unless the robot is a URDF.
   std::string urdf_mjcf;       ///< What the URDF became when the robot was read; else empty.
   std::string plain_mjcf;      ///< The same without the shapes that are only looked at.
+  std::string ground_pairs;    ///< UrdfMjcf::ground_pairs; empty unless the robot is a URDF.
   double mass_kg{0.0};         ///< Given only when there is no MJCF to tell it; else 0.
   std::string base;            ///< Body B that carries the free joint.
   std::string imu;             ///< Site U.

@@ -227,10 +227,12 @@ void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot) {
     robot->force_torque.push_back(sensor.name);
   }
   for (const FootDescription& foot : robot->feet) conversion.foot_frames.push_back(foot.frame);
-  robot->urdf_mjcf = UrdfToMjcf(robot->urdf, conversion);
+  UrdfMjcf drawn = UrdfToMjcf(robot->urdf, conversion);
+  robot->urdf_mjcf = std::move(drawn.robot);
+  robot->ground_pairs = std::move(drawn.ground_pairs);
   CompileMjcf(robot->urdf_mjcf, "", robot->urdf);
   conversion.has_looks = false;
-  robot->plain_mjcf = UrdfToMjcf(robot->urdf, conversion);
+  robot->plain_mjcf = UrdfToMjcf(robot->urdf, conversion).robot;
 }
 
 }  // namespace sidestep

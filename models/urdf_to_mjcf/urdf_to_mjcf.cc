@@ -47,7 +47,7 @@ UrdfParts ReadUrdfParts(const std::filesystem::path& urdf) {
   return parts;
 }
 
-std::string UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
+UrdfMjcf UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
   UrdfTree tree = ReadUrdf(urdf, conversion.locked_joints);
   CheckActuators(tree.base, conversion.actuators);
   SplitBodies(conversion.force_torque, &tree.base);

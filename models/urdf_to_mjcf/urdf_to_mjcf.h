@@ -70,6 +70,14 @@ struct UrdfConversion {
   bool has_looks{true};  ///< Whether shapes that do not collide come along.
 };
 
+/// What a URDF becomes.
+struct UrdfMjcf {
+  std::string robot;  ///< A whole document, to be included.
+  /// `<pair>`s of kGroundGeom with every collision shape. With them in its `<contact>` and
+  /// `collision="predefined"` a world finds the same contacts as by MuJoCo's search.
+  std::string ground_pairs;
+};
+
 /// A joint that moves, with what the URDF says of its motor (0 where it says nothing).
 struct UrdfJointInfo {
   std::string name;
@@ -108,6 +116,6 @@ UrdfParts ReadUrdfParts(const std::filesystem::path& urdf);
 /// Throws ConfigError as ReadUrdfParts, and ContractViolation if `conversion` does not fit the
 /// URDF: check its names, motors and distal masses against UrdfParts, where a user's file tells the
 /// place.
-std::string UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion);
+UrdfMjcf UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion);
 
 }  // namespace sidestep

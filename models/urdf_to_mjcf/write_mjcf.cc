@@ -8,11 +8,14 @@
 #include <sstream>
 #include <vector>
 
+#include "models/mjcf/ground.h"
+
 namespace sidestep {
 namespace {
 
 // Contacts of the feet: time constant 4 ms (at least two steps of 2 ms or less), critically damped,
-// nearly rigid: a standing robot sinks in by microns. The floor yields to them by priority.
+// nearly rigid: a standing robot sinks in by microns. The floor yields to them by priority; a
+// listed pair knows no priority, so that the class says it again for pairs.
 constexpr char kDefaults[] =
     R"(  <compiler angle="radian" autolimits="true" inertiafromgeom="false"/>
   <default>
@@ -22,6 +25,7 @@ constexpr char kDefaults[] =
     </default>
     <default class="foot">
       <geom conaffinity="1" group="3" condim="3" priority="1" solref="0.004 1" solimp="0.95 0.99 0.002"/>
+      <pair condim="3" solref="0.004 1" solimp="0.95 0.99 0.002"/>
     </default>
   </default>
 )";
@@ -76,7 +80,7 @@ class MjcfWriter {
  public:
   explicit MjcfWriter(const UrdfConversion& conversion) : conversion_(conversion) {}
 
-  std::string Write(const std::string& name, const Body& base) {
+  UrdfMjcf Write(const std::string& name, const Body& base) {
     xml_ << "<mujoco" << Attribute("model", name) << ">\n" << kDefaults;
     WriteMaterials(base);
     xml_ << "  <worldbody>\n";
@@ -86,7 +90,7 @@ class MjcfWriter {
     WriteActuators();
     WriteSensors();
     xml_ << "</mujoco>\n";
-    return xml_.str();
+    return {xml_.str(), ground_pairs_.str()};
   }
 
  private:
@@ -166,7 +170,10 @@ class MjcfWriter {
     if (shape.collides) {
       std::vector<std::string>& names = collision_names_[shape.link];
       names.push_back(shape.link + "_collision_" + std::to_string(names.size()));
-      xml_ << Attribute("name", names.back()) << Attribute("class", is_foot ? "foot" : "body");
+      const std::string contact_class = Attribute("class", is_foot ? "foot" : "body");
+      xml_ << Attribute("name", names.back()) << contact_class;
+      ground_pairs_ << "    <pair" << contact_class << Attribute("geom1", kGroundGeom)
+                    << Attribute("geom2", names.back()) << "/>\n";
       if (shape.is_drawn) xml_ << " group=\"1\"";
     }
     xml_ << Attribute("type", kTypes[kind])
@@ -224,13 +231,14 @@ class MjcfWriter {
 
   const UrdfConversion& conversion_;
   std::ostringstream xml_;
+  std::ostringstream ground_pairs_;
   std::map<std::string, std::string> materials_;                     ///< By colour.
   std::map<std::string, std::vector<std::string>> collision_names_;  ///< Of geoms, by URDF link.
 };
 
 }  // namespace
 
-std::string WriteMjcf(const std::string& name, const Body& base, const UrdfConversion& conversion) {
+UrdfMjcf WriteMjcf(const std::string& name, const Body& base, const UrdfConversion& conversion) {
   return MjcfWriter(conversion).Write(name, base);
 }
 

@@ -11,6 +11,6 @@ namespace sidestep {
 
 /// Writes a robot called `name`. Every number reads back as the same double. Names in `conversion`
 /// that the tree lacks are left for MuJoCo's compiler to refuse.
-std::string WriteMjcf(const std::string& name, const Body& base, const UrdfConversion& conversion);
+UrdfMjcf WriteMjcf(const std::string& name, const Body& base, const UrdfConversion& conversion);
 
 }  // namespace sidestep

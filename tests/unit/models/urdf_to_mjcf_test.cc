@@ -120,6 +120,20 @@ TEST_F(UrdfToMjcfTest, SelfCollisionNamesPairsOfShapesWhereverTheyWent) {
   EXPECT_EQ(model_->npair, 2);
 }
 
+TEST_F(UrdfToMjcfTest, GroundPairsNameEveryShapeThatCollidesOnce) {
+  const auto count = [&](const std::string& text) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = robot_.ground_pairs.find(text, at)) != std::string::npos; ++at) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("<pair class="), 4u);
+  EXPECT_EQ(count("geom1=\"floor\""), 4u);
+  EXPECT_EQ(count("<pair class=\"foot\" geom1=\"floor\" geom2=\"foot_collision_0\"/>"), 1u);
+  EXPECT_EQ(count("<pair class=\"body\" geom1=\"floor\" geom2=\"trunk_collision_0\"/>"), 1u);
+}
+
 /// Copies of the fixture's URDF, with one edit.
 class UrdfErrorTest : public testing::Test {
  protected:

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "models/mjcf/mjcf.h"
+#include "models/robot_description/home_pose.h"
 #include "sim/scenario/read_scenario.h"
 #include "sim/world/mujoco_world.h"
 #include "sim/world/world_model.h"
@@ -77,6 +80,63 @@ TEST_F(Icub3WorldTest, StandsOnItsServosWithItsWeightInTheFeetsSensors) {
     weight_N += foot.f_F_W.z();
   }
   EXPECT_NEAR(weight_N, world.mass_kg() * kGravity_mps2, 1.0);
+}
+
+/// What MuJoCo knows of a contact, whatever the order of its geoms.
+using Contact = std::array<double, 20>;
+
+/// The contacts at a state, sorted.
+std::vector<Contact> ContactsAt(const mjModel& model, const mjData& state, mjData* data) {
+  mju_copy(data->qpos, state.qpos, model.nq);
+  mj_fwdPosition(&model, data);
+  std::vector<Contact> contacts;
+  for (int i = 0; i < data->ncon; ++i) {
+    const mjContact& at = data->contact[i];
+    contacts.push_back({1.0 * std::min(at.geom1, at.geom2),
+                        1.0 * std::max(at.geom1, at.geom2),
+                        at.pos[0],
+                        at.pos[1],
+                        at.pos[2],
+                        at.dist,
+                        1.0 * at.dim,
+                        at.friction[0],
+                        at.friction[1],
+                        at.friction[2],
+                        at.friction[3],
+                        at.friction[4],
+                        at.solref[0],
+                        at.solref[1],
+                        at.solimp[0],
+                        at.solimp[1],
+                        at.solimp[2],
+                        at.solimp[3],
+                        at.solimp[4],
+                        at.includemargin});
+  }
+  std::sort(contacts.begin(), contacts.end());
+  return contacts;
+}
+
+// Without torques it collapses: feet, knees, trunk and arms come to the ground, and to each other.
+TEST_F(Icub3WorldTest, ListedContactsAreThoseThatMuJoCosSearchFinds) {
+  scenario_.world.friction = 0.37;
+  const MjModelPtr listed = CompileWorld(scenario_, Looks::kLeftOut);
+  scenario_.description_of_robot.ground_pairs.clear();
+  const MjModelPtr searched = CompileWorld(scenario_, Looks::kLeftOut);
+  EXPECT_EQ(listed->opt.collision, mjCOL_PAIR);
+  EXPECT_EQ(searched->opt.collision, mjCOL_ALL);
+  const MjDataPtr run = MakeData(*listed), found = MakeData(*listed),
+                  expected = MakeData(*searched);
+  PlaceAtHome(*listed, scenario_.description_of_robot, run.get());
+  std::size_t most = 0;
+  for (int tick = 0; tick < 2000; ++tick) {
+    mj_step(listed.get(), run.get());
+    if (tick % 20 != 0) continue;
+    const std::vector<Contact> contacts = ContactsAt(*listed, *run, found.get());
+    ASSERT_EQ(contacts, ContactsAt(*searched, *run, expected.get())) << tick;
+    most = std::max(most, contacts.size());
+  }
+  EXPECT_GT(most, 10u) << "a robot on its soles proves little";
 }
 
 TEST_F(Icub3WorldTest, ArmsFeelAPushOnTheHandAndNothingElse) {
