@@ -116,7 +116,10 @@ void LocomotionController::Estimate(const SensorFrame& frame) {
   // Inverse dynamics needs all of it; without it only the MPC's reference reads M, at its ticks.
   const bool is_torque = setup_.control.mode == ControlMode::kTorque;
   if (is_torque || IsMpcTick()) rigid_body_->UpdateJacobians();
-  if (is_torque) rigid_body_->UpdateBias();
+  if (is_torque) {
+    rigid_body_->UpdateBias();
+    rigid_body_->UpdateFootBias();
+  }
 }
 
 void LocomotionController::Plan() {

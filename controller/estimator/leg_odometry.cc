@@ -58,7 +58,7 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame) {
 
   state_.p_WB = x_.segment<3>(kPosition) - p_BU_W;
   state_.v_WB = x_.segment<3>(kVelocity) - v_BU_W;
-  rigid_body_->UpdateKinematics(state_);
+  rigid_body_->Translate(state_.p_WB, state_.v_WB);
   rigid_body_->FillDerived(&state_);
   forces_.NoteVelocity(rigid_body_->velocity());
   observer_.Update(forces_.arms().force_N, frame.force_torque_age_s, &state_);
@@ -70,12 +70,9 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame) {
 void LegOdometry::OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U) {
   state_.p_WB.setZero();
   state_.v_WB.setZero();
-  state_.q_WB.setIdentity();
-  state_.w_WB_B.setZero();
-  rigid_body_->UpdateKinematics(state_);
-  const Eigen::Matrix3d R_BU = rigid_body_->imu().R_WU;
-  state_.q_WB = (q_WU * Eigen::Quaterniond(R_BU.transpose())).normalized();
-  state_.w_WB_B = R_BU * w_WU_U - rigid_body_->imu().w_WU;
+  const ImuInBase imu = rigid_body_->LocateImu(state_);
+  state_.q_WB = (q_WU * Eigen::Quaterniond(imu.R_BU.transpose())).normalized();
+  state_.w_WB_B = imu.R_BU * w_WU_U - imu.w_BU_B;
   rigid_body_->UpdateKinematics(state_);
 }
 

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "models/mjcf/momentum.h"
 #include "models/mjcf/quaternion.h"
 #include "models/robot_description/home_pose.h"
 #include "models/support/require.h"
@@ -50,6 +51,7 @@ void RigidBody::ResolveNames(const RobotDescription& robot) {
     foot_site_.push_back(RequireId(*model_, mjOBJ_SITE, foot.frame));
   }
   imu_site_ = RequireId(*model_, mjOBJ_SITE, robot.imu);
+  ResolveImuChain();
   if (!robot.torso.empty()) torso_site_ = RequireId(*model_, mjOBJ_SITE, robot.torso);
   for (const std::string& name : robot.force_torque) {
     const auto address = [&](const char* suffix) {
@@ -75,22 +77,38 @@ void RigidBody::ResolveNames(const RobotDescription& robot) {
   }
 }
 
+// Hinges between base and IMU.
+void RigidBody::ResolveImuChain() {
+  int body = model_->site_bodyid[imu_site_];
+  for (; body != base_body_ && body != 0; body = model_->body_parentid[body]) {
+    for (int i = 0; i < model_->body_jntnum[body]; ++i) {
+      const int joint = model_->body_jntadr[body] + i;
+      if (model_->jnt_type[joint] == mjJNT_HINGE) joints_to_imu_.push_back(joint);
+    }
+  }
+}
+
 void RigidBody::SetState(const RobotState& state) {
   Eigen::Map<Eigen::Vector3d>(data_->qpos) = state.p_WB;
   ToMuJoCo(state.q_WB, data_->qpos + 3);
   Eigen::Map<Eigen::Vector3d>(data_->qvel) = state.v_WB;
   Eigen::Map<Eigen::Vector3d>(data_->qvel + 3) = state.w_WB_B;
+  SetJoints(state);
+  velocity_ = Eigen::Map<const Eigen::VectorXd>(data_->qvel, model_->nv);
+}
+
+void RigidBody::SetJoints(const RobotState& state) {
   for (std::size_t i = 0; i < actuated_position_.size(); ++i) {
     data_->qpos[actuated_position_[i]] = state.joint_position[static_cast<Eigen::Index>(i)];
     data_->qvel[actuated_velocity_[i]] = state.joint_velocity[static_cast<Eigen::Index>(i)];
   }
-  velocity_ = Eigen::Map<const Eigen::VectorXd>(data_->qvel, model_->nv);
 }
 
 void RigidBody::Update(const RobotState& state) {
   UpdateKinematics(state);
   UpdateJacobians();
   UpdateBias();
+  UpdateFootBias();
 }
 
 void RigidBody::UpdateKinematics(const RobotState& state) {
@@ -100,10 +118,10 @@ void RigidBody::UpdateKinematics(const RobotState& state) {
   mj_kinematics(model, data);
   mj_comPos(model, data);
   mj_comVel(model, data);
-  mj_subtreeVel(model, data);
+  const Momentum momentum = MomentumOf(*model, *data, base_body_);
   p_WC_ = ConstVector3Map(data->subtree_com + 3 * base_body_);
-  v_WC_ = ConstVector3Map(data->subtree_linvel + 3 * base_body_);
-  angular_momentum_ = ConstVector3Map(data->subtree_angmom + 3 * base_body_);
+  v_WC_ = momentum.linear / mass_kg_;
+  angular_momentum_ = momentum.angular;
   mjtNum twist[6];  // [angular; linear]
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootKinematics& foot = feet_[i];
@@ -119,6 +137,33 @@ void RigidBody::UpdateKinematics(const RobotState& state) {
   imu_.w_WU = ConstVector3Map(twist);
   imu_.v_WU = ConstVector3Map(twist + 3);
   if (has_torso()) torso_.R_WT = ConstMatrix3Map(data->site_xmat + 9 * torso_site_);
+}
+
+void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+  Eigen::Map<Eigen::Vector3d>(data_->qpos) += p;
+  Eigen::Map<Eigen::Vector3d>(data_->qvel) += v;
+  velocity_.head<3>() += v;
+  p_WC_ += p;
+  v_WC_ += v;
+  for (FootKinematics& foot : feet_) {
+    foot.p_WF += p;
+    foot.v_WF += v;
+  }
+  imu_.p_WU += p;
+  imu_.v_WU += v;
+}
+
+ImuInBase RigidBody::LocateImu(const RobotState& state) {
+  mju_zero3(data_->qpos);
+  mju_unit4(data_->qpos + 3);
+  SetJoints(state);
+  mj_kinematics(model_.get(), data_.get());
+  ImuInBase imu{ConstMatrix3Map(data_->site_xmat + 9 * imu_site_), Eigen::Vector3d::Zero()};
+  for (const int joint : joints_to_imu_) {
+    imu.w_BU_B +=
+        data_->qvel[model_->jnt_dofadr[joint]] * ConstVector3Map(data_->xaxis + 3 * joint);
+  }
+  return imu;
 }
 
 void RigidBody::UpdateJacobians() {
@@ -142,6 +187,11 @@ void RigidBody::UpdateBias() {
   bias_ = Eigen::Map<const Eigen::VectorXd>(data->qfrc_bias, model->nv) -
           Eigen::Map<const Eigen::VectorXd>(data->qfrc_passive, model->nv);
   com_bias_mps2_ = bias_.head<3>() / mass_kg_ + gravity_mps2_;
+}
+
+void RigidBody::UpdateFootBias() {
+  const mjModel* model = model_.get();
+  mjData* data = data_.get();
   // With qacc = 0 an object's acceleration is Jdot nu, minus gravity by MuJoCo's convention.
   mju_zero(data->qacc, model->nv);
   mj_rnePostConstraint(model, data);

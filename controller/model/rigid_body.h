@@ -39,6 +39,12 @@ struct ImuKinematics {
   Eigen::Vector3d w_WU{Eigen::Vector3d::Zero()};
 };
 
+/// How the IMU's site U sits on the base B, and turns against it, for the joints' state.
+struct ImuInBase {
+  Eigen::Matrix3d R_BU{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d w_BU_B{Eigen::Vector3d::Zero()};  ///< Of U relative to B.
+};
+
 /// Orientation of the torso's site at the current state.
 struct TorsoKinematics {
   Eigen::Matrix3d R_WT{Eigen::Matrix3d::Identity()};
@@ -59,7 +65,7 @@ class RigidBody {
   /// Compiles the robot's MJCF. Throws ConfigError if it lacks a name that robot.yaml promises.
   explicit RigidBody(const RobotDescription& robot);
 
-  /// Evaluates everything at the base and joint state of `state`: the three below in a row.
+  /// Evaluates everything at the base and joint state of `state`: the four below in a row.
   /// None of them allocates.
   void Update(const RobotState& state);
 
@@ -70,8 +76,20 @@ class RigidBody {
   /// UpdateKinematics(). They keep that state until the next call.
   void UpdateJacobians();
 
-  /// h, com_bias_mps2() and the feet's bias_mps2, at the state of the last UpdateKinematics().
+  /// h and com_bias_mps2(), at the state of the last UpdateKinematics().
   void UpdateBias();
+
+  /// The feet's bias_mps2, at the state of the last UpdateKinematics().
+  void UpdateFootBias();
+
+  /// Moves the robot of the last UpdateKinematics() as a whole by `p` (m) and makes it faster by
+  /// `v` (m/s), both in W. Leaves what evaluating that state would, for next to nothing: rotations,
+  /// momentum about the CoM, M, Jacobians and biases depend on neither. force_torque() stays.
+  void Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v);
+
+  /// The IMU on the base for the joints of `state`, whose base is not read. What the Update
+  /// functions leave stays, but the next of them must be UpdateKinematics().
+  ImuInBase LocateImu(const RobotState& state);
 
   /// Predicts the force/torque sensors for the acceleration `nudot` (nv) at the state of the last
   /// UpdateKinematics().
@@ -113,7 +131,9 @@ class RigidBody {
 
  private:
   void ResolveNames(const RobotDescription& robot);
+  void ResolveImuChain();
   void SetState(const RobotState& state);
+  void SetJoints(const RobotState& state);
 
   MjModelPtr model_;
   MjDataPtr data_;
@@ -127,6 +147,7 @@ class RigidBody {
   Eigen::VectorXd joint_lower_;
   Eigen::VectorXd joint_upper_;
   int imu_site_{0};
+  std::vector<int> joints_to_imu_;
   int torso_site_{-1};
   struct ForceTorqueIds {
     int site{0}, force{0}, torque{0};  // addresses in sensordata

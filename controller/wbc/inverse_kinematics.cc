@@ -73,7 +73,8 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
                                    const std::vector<FootTarget>& feet, ActuatorCommand* command) {
   if (!started_) Start(state);
   Anchor(state);
-  body_.Update(commanded_);
+  body_.UpdateKinematics(commanded_);
+  body_.UpdateJacobians();
   const double min_force_N = kMinCarriedShare * body_.mass_kg() * body_.gravity_mps2().norm();
   const Eigen::Vector3d v_WC = CorrectedComVelocity(
       params_, state, com, PlannedZeroMomentPoint(feet, vertices_m_, min_force_N),
@@ -91,15 +92,15 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
   } else {
     nu_.setZero();
   }
-  // Ahead of Integrate(), which moves the kinematics only: torques change little in a tick.
-  const Eigen::VectorXd* deflection =
-      params_.compensates_deflection ? &deflection_.Update(body_, feet) : nullptr;
   Integrate(nu_);
 
   command->torque_Nm.resize(0);
   command->joint_position = commanded_.joint_position;
   command->joint_velocity = commanded_.joint_velocity;
-  if (deflection != nullptr) command->joint_position += *deflection;
+  if (params_.compensates_deflection) {  // at the tick's start: torques change little in one
+    body_.UpdateBias();
+    command->joint_position += deflection_.Update(body_, feet);
+  }
   return {static_cast<int>(solution->status), ok, solution->iterations};
 }
 
@@ -114,13 +115,14 @@ void InverseKinematics::Start(const RobotState& state) {
 }
 
 // Moves the commanded robot as a whole towards the belief: attitude about its standing feet, then
-// position. The joints, which are all that the servos see, do not notice.
+// position. The joints, which are all that the servos see, do not notice. The model still is where
+// the last tick began: to first order its feet have moved since as that tick's twist says.
 void InverseKinematics::Anchor(const RobotState& state) {
   Eigen::Vector3d p_cmd = Eigen::Vector3d::Zero(), p_believed = Eigen::Vector3d::Zero();
   int standing = 0;
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     if (!holds_[i].active || !state.feet[i].in_contact) continue;
-    p_cmd += body_.feet()[i].p_WF;
+    p_cmd += body_.feet()[i].p_WF + dt_s_ * (body_.feet()[i].J * nu_);
     p_believed += state.feet[i].p_WF;
     ++standing;
   }
@@ -231,7 +233,6 @@ void InverseKinematics::Integrate(const Eigen::VectorXd& nu) {
     commanded_.joint_velocity[at] = nu[Joint(i)];
     commanded_.joint_position[at] += dt_s_ * nu[Joint(i)];
   }
-  body_.UpdateKinematics(commanded_);
 }
 
 }  // namespace sidestep::wbc

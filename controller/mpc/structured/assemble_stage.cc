@@ -20,23 +20,18 @@ struct StageMatrix {
     return column < stage.num_pivots ? stage.panel + column * stage.num_rows
                                      : tail + (column - stage.num_pivots) * kept - stage.num_pivots;
   }
-  void Add(int row, int column, double value) const {
-    if (row >= column) {
-      Column(column)[row] += value;
-    } else {
-      Column(row)[column] += value;
-    }
-  }
+  /// The same of a pivot's column.
+  double* Pivot(int column) const { return stage.panel + column * stage.num_rows; }
 };
 
 // Transposed Jacobian of the next state: rows of the stage x 9, and the gap in the constant's row.
+// What is zero at every point is so from the start.
 void BuildDynamics(const ProblemView& problem, int k, const Evaluation& at,
                    const Linearization& linear) {
   const Stage& stage = problem.stages[k];
   const double step_s = problem.step_s;
   const int rows = stage.num_active, n = stage.num_slots, x = stage.num_pivots;
   double* G = stage.dynamics;
-  Fill(G, 9 * rows, 0.0);
   const double* arm = linear.arm + 3 * stage.first_slot;
   for (int a = 0; a < 3; ++a) {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -126,6 +121,14 @@ void SetCongruence(const StageMatrix& matrix, const double* coupling, const doub
   }
 }
 
+// to += from, both anywhere.
+inline void AddTo(const double* from, int count, double* to) {
+  int i = 0;
+  for (; i + 4 <= count; i += 4)
+    StoreAnywhere(LoadAnywhere(to + i) + LoadAnywhere(from + i), to + i);
+  for (; i < count; ++i) to[i] += from[i];
+}
+
 void AddCarried(const ProblemView& problem, const StageMatrix& matrix, const double* next,
                 int stride) {
   const Carry* carries = problem.carries + matrix.stage.first_carry;
@@ -136,12 +139,12 @@ void AddCarried(const ProblemView& problem, const StageMatrix& matrix, const dou
       if (low.from < high.from) continue;
       for (int c = 0; c < high.count; ++c) {
         const double* from = next + (high.from + c) * stride + low.from;
-        const int first = i == j ? c : 0;
         if (low.to >= high.to) {
-          double* to = matrix.Column(high.to + c) + low.to;
-          for (int r = first; r < low.count; ++r) to[r] += from[r];
+          // From a whole pack on: what lands above the diagonal is never read.
+          const int first = i == j ? c / 4 * 4 : 0;
+          AddTo(from + first, low.count - first, matrix.Column(high.to + c) + low.to + first);
         } else {
-          for (int r = first; r < low.count; ++r) matrix.Column(low.to + r)[high.to + c] += from[r];
+          for (int r = 0; r < low.count; ++r) matrix.Column(low.to + r)[high.to + c] += from[r];
         }
       }
     }
@@ -163,16 +166,16 @@ void AddForces(const ProblemView& problem, const NewtonTerms& terms, const Stage
                          (block.is_new ? problem.weight_new[a] : 0.0) + terms.shift;
       const double share = problem.weight_symmetry[a] / block.count;
       for (int j = block.first; j < block.first + block.count; ++j) {
-        double* column = matrix.Column(a * n + j);
+        double* column = matrix.Pivot(a * n + j);
         for (int i = j; i < block.first + block.count; ++i) column[a * n + i] -= share;
         column[a * n + j] += own + curvature[a * n + j];
         column[one] += slope[a * n + j];
       }
     }
     for (int j = block.first; j < block.first + block.count; ++j) {
-      matrix.Column(j)[n + j] += curvature[3 * n + j];
-      matrix.Column(j)[2 * n + j] += curvature[4 * n + j];
-      matrix.Column(n + j)[2 * n + j] += curvature[5 * n + j];
+      matrix.Pivot(j)[n + j] += curvature[3 * n + j];
+      matrix.Pivot(j)[2 * n + j] += curvature[4 * n + j];
+      matrix.Pivot(n + j)[2 * n + j] += curvature[5 * n + j];
     }
   }
 }
@@ -185,9 +188,10 @@ void AddDynamicsCurvature(const ProblemView& problem, int k, const Linearization
   double pull[3];
   for (int a = 0; a < 3; ++a) pull[a] = problem.step_s * linear.costate[9 * (k + 1) + 6 + a];
   for (int a = 0; a < 3; ++a) {
-    for (int b = 0; b < 3; ++b) {
-      const double value = SkewEntry(pull, b, a);
-      for (int j = 0; j < n; ++j) matrix.Column(a * n + j)[x + b] += value;
+    const double turn[3] = {SkewEntry(pull, 0, a), SkewEntry(pull, 1, a), SkewEntry(pull, 2, a)};
+    for (int j = 0; j < n; ++j) {
+      double* column = matrix.Pivot(a * n + j) + x;
+      for (int b = 0; b < 3; ++b) column[b] += turn[b];
     }
   }
   for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
@@ -202,7 +206,7 @@ void AddDynamicsCurvature(const ProblemView& problem, int k, const Linearization
       Cross(pull, axis, turn);  // d/du of pull . (axis x u).
       for (int a = 0; a < 3; ++a) {
         for (int j = block.first; j < block.first + block.count; ++j) {
-          matrix.Column(a * n + j)[row + d] += turn[a];
+          matrix.Pivot(a * n + j)[row + d] += turn[a];
         }
       }
     }
@@ -250,13 +254,14 @@ void CoupleToPreviousForces(const ProblemView& problem, const StageMatrix& matri
     for (int a = 0; a < 3; ++a) {
       for (int j = 0; j < block.count; ++j) {
         const int row = stage.num_active + a * stage.num_kept + block.kept + j;
-        matrix.Column(a * stage.num_slots + block.first + j)[row] = -problem.weight_rate[a];
+        matrix.Pivot(a * stage.num_slots + block.first + j)[row] = -problem.weight_rate[a];
       }
     }
   }
 }
 
-// Zeroes the lower triangle from row `first` on: what SetCongruence() leaves.
+// Zeroes the lower triangle from row `first` on: what SetCongruence() leaves. Structural zeros are
+// read too, where a tile has rows with and without them.
 void ClearMatrix(const StageMatrix& matrix, int first) {
   const int rows = matrix.stage.num_rows;
   for (int column = 0; column < rows; ++column) {

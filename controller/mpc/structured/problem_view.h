@@ -46,17 +46,17 @@ struct Stage {
   int first_block{0}, num_blocks{0};
   int first_slot{0}, num_slots{0};
   int first_alive{0}, num_new{0}, num_alive{0};
-  int first_carry{0}, num_carries{0};    ///< From stage k + 1.
-  int num_pivots{0};                     ///< Multiple of four.
-  int first_of_pivots{0};                ///< Pivots of the stages before.
-  int num_active{0};                     ///< Rows that the dynamics touch; multiple of four.
-  int num_rows{0};                       ///< Multiple of four.
-  unsigned long long carried_groups{0};  ///< Bit g: rows 4 g.. are carried over; 63: and beyond.
-  int num_kept{0};                       ///< Slots that continue from stage k - 1.
-  double* panel{nullptr};                ///< num_rows x num_pivots: the factor.
-  double* inverse_pivot{nullptr};        ///< num_pivots.
-  double* dynamics{nullptr};             ///< num_active x 9: transposed Jacobian of the next state.
-  int* first_pivot{nullptr};             ///< One each four rows: first pivot with a non-zero entry.
+  int first_carry{0}, num_carries{0};  ///< From stage k + 1.
+  int num_pivots{0};                   ///< Multiple of four.
+  int first_of_pivots{0};              ///< Pivots of the stages before.
+  int num_active{0};                   ///< Rows that the dynamics touch; multiple of four.
+  int num_rows{0};                     ///< Multiple of four.
+  int num_kept{0};                     ///< Slots that continue from stage k - 1.
+  double* panel{nullptr};              ///< num_rows x num_pivots: the factor.
+  double* inverse_pivot{nullptr};      ///< num_pivots.
+  double* dynamics{nullptr};           ///< num_active x 9: transposed Jacobian of the next state;
+                                       ///< zero until the first factorisation.
+  int* first_pivot{nullptr};           ///< One each four rows: first pivot with a non-zero entry.
 };
 
 /// Where the parts of a point are in one flat array.

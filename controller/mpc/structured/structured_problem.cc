@@ -139,6 +139,7 @@ void StructuredProblem::AddMemory(int k) {
   stage.panel = arena_.Take(Size(stage.num_rows * stage.num_pivots));
   stage.inverse_pivot = arena_.Take(Size(stage.num_pivots));
   stage.dynamics = arena_.Take(Size(stage.num_active * kStateSize));
+  std::fill_n(stage.dynamics, stage.num_active * kStateSize, 0.0);
   const std::size_t first = first_pivot_.size();
   first_pivot_.resize(first + Size(stage.num_rows / 4), 0);
   stage.first_pivot = first_pivot_.data() + first;  // Reserved: does not move.
@@ -180,12 +181,6 @@ void StructuredProblem::AddCarries(int k) {
     }
   }
   stage.num_carries = static_cast<int>(carries_.size()) - stage.first_carry;
-  for (int i = stage.first_carry; i < stage.first_carry + stage.num_carries; ++i) {
-    const Carry& carry = carries_[Size(i)];
-    for (int group = carry.to / 4; group <= (carry.to + carry.count - 1) / 4; ++group) {
-      stage.carried_groups |= 1ULL << std::min(group, 63);
-    }
-  }
 }
 
 void StructuredProblem::FillBlock(const CentroidalOcp& ocp, const Stage& stage, std::size_t b) {

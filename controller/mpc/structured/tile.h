@@ -13,6 +13,11 @@ using Pack = double __attribute__((vector_size(32)));
 inline Pack Load(const double* from) { return *reinterpret_cast<const Pack*>(from); }
 inline void Store(Pack value, double* to) { *reinterpret_cast<Pack*>(to) = value; }
 
+/// The same anywhere in memory.
+using LoosePack = double __attribute__((vector_size(32), aligned(8)));
+inline Pack LoadAnywhere(const double* from) { return *reinterpret_cast<const LoosePack*>(from); }
+inline void StoreAnywhere(Pack value, double* to) { *reinterpret_cast<LoosePack*>(to) = value; }
+
 /// A matrix by columns.
 struct Columns {
   const double* at;

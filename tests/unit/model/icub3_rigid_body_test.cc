@@ -143,5 +143,17 @@ TEST(Icub3LimitsTest, JointsWithoutARangeHaveNoLimits) {
   EXPECT_FALSE(body.has_torso());
 }
 
+// Three torso joints turn the chest's IMU against the base.
+TEST_P(Icub3RigidBodyTest, ImuIsLocatedByTheJointsAlone) {
+  const ImuInBase located = body_.LocateImu(state_);
+  RobotState level = state_;
+  level.q_WB.setIdentity();
+  level.w_WB_B.setZero();
+  body_.UpdateKinematics(level);
+  EXPECT_LT((located.R_BU - body_.imu().R_WU).norm(), 1e-12);
+  EXPECT_LT((located.w_BU_B - body_.imu().w_WU).norm(), 1e-12);
+  EXPECT_GT(located.w_BU_B.norm(), 0.1) << "a resting IMU proves nothing";
+}
+
 }  // namespace
 }  // namespace sidestep::icub3_rigid_body_test

@@ -119,6 +119,38 @@ TEST_P(RigidBodyTest, ComBiasIsTheComsAccelerationAtConstantVelocities) {
   EXPECT_LT((body_.com_bias_mps2() - acceleration).norm(), kDifferenceTolerance);
 }
 
+TEST_P(RigidBodyTest, TranslatedItIsWhatTheMovedStateMakesIt) {
+  const Eigen::Vector3d p(5.0, -3.0, 2.0), v(-1.5, 0.8, 2.5);
+  body_.Translate(p, v);
+  const RobotState translated = Derived();
+  body_.UpdateJacobians();
+  body_.UpdateBias();
+  body_.UpdateFootBias();
+
+  state_.p_WB += p;
+  state_.v_WB += v;
+  RigidBody moved(robot_);
+  moved.Update(state_);
+  RobotState expected = state_;
+  moved.FillDerived(&expected);
+  EXPECT_LT((translated.p_WC - expected.p_WC).norm(), kRounding);
+  EXPECT_LT((translated.v_WC - expected.v_WC).norm(), kRounding);
+  EXPECT_LT((translated.angular_momentum - expected.angular_momentum).norm(), kRounding);
+  EXPECT_LT((body_.imu().p_WU - moved.imu().p_WU).norm(), kRounding);
+  EXPECT_LT((body_.imu().v_WU - moved.imu().v_WU).norm(), kRounding);
+  EXPECT_LT((body_.velocity() - moved.velocity()).norm(), kRounding);
+  EXPECT_LT((body_.mass_matrix() - moved.mass_matrix()).norm(), kRounding);
+  EXPECT_LT((body_.bias() - moved.bias()).norm(), kRounding);
+  EXPECT_LT((body_.com_bias_mps2() - moved.com_bias_mps2()).norm(), kRounding);
+  for (std::size_t i = 0; i < robot_.feet.size(); ++i) {
+    EXPECT_LT((translated.feet[i].p_WF - expected.feet[i].p_WF).norm(), kRounding);
+    EXPECT_LT((translated.feet[i].v_WF - expected.feet[i].v_WF).norm(), kRounding);
+    EXPECT_LT((body_.feet()[i].J - moved.feet()[i].J).norm(), kRounding);
+    EXPECT_LT((body_.feet()[i].J_rot - moved.feet()[i].J_rot).norm(), kRounding);
+    EXPECT_LT((body_.feet()[i].bias_mps2 - moved.feet()[i].bias_mps2).norm(), kRounding);
+  }
+}
+
 TEST_P(RigidBodyTest, EquationOfMotionHoldsForMuJoCosOwnAcceleration) {
   reference_.Set(state_);
   const mjModel* model = reference_.model();
