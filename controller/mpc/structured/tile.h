@@ -21,7 +21,7 @@ inline void StoreAnywhere(Pack value, double* to) { *reinterpret_cast<LoosePack*
 /// A matrix by columns.
 struct Columns {
   const double* at;
-  int stride;
+  long stride;
 };
 
 /// The target's tile in registers: `count` packs of four rows, four columns.
@@ -34,12 +34,12 @@ struct Tile {
       for (int c = 0; c < 4; ++c) sum[i][c] = Pack{0.0, 0.0, 0.0, 0.0};
     }
   }
-  __attribute__((always_inline)) void Read(const double* target, int stride) {
+  __attribute__((always_inline)) void Read(const double* target, long stride) {
     for (int i = 0; i < count; ++i) {
       for (int c = 0; c < 4; ++c) sum[i][c] = Load(target + c * stride + 4 * i);
     }
   }
-  __attribute__((always_inline)) void Write(double* target, int stride) const {
+  __attribute__((always_inline)) void Write(double* target, long stride) const {
     for (int i = 0; i < count; ++i) {
       for (int c = 0; c < 4; ++c) Store(sum[i][c], target + c * stride + 4 * i);
     }
@@ -47,9 +47,10 @@ struct Tile {
   /// += (or -=) sum over p in [begin, end) of left(row, p) right(column, p).
   template <bool is_minus>
   __attribute__((always_inline)) void Accumulate(Columns left, Columns right, int begin, int end) {
-    for (int p = begin; p < end; ++p) {
-      const double* rows = left.at + p * left.stride;
-      const double* columns = right.at + p * right.stride;
+    const double* rows = left.at + begin * left.stride;
+    const double* columns = right.at + begin * right.stride;
+#pragma GCC unroll 4
+    for (int p = begin; p < end; ++p, rows += left.stride, columns += right.stride) {
       Pack value[count];
       for (int i = 0; i < count; ++i) value[i] = Load(rows + 4 * i);
       // Twelve sums, three rows and one factor: sixteen registers. One more would spill a sum.
