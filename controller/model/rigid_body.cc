@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "models/mjcf/momentum.h"
 #include "models/mjcf/quaternion.h"
 #include "models/robot_description/home_pose.h"
 #include "models/support/require.h"
@@ -118,10 +117,7 @@ void RigidBody::UpdateKinematics(const RobotState& state) {
   mj_kinematics(model, data);
   mj_comPos(model, data);
   mj_comVel(model, data);
-  const Momentum momentum = MomentumOf(*model, *data, base_body_);
-  p_WC_ = ConstVector3Map(data->subtree_com + 3 * base_body_);
-  v_WC_ = momentum.linear / mass_kg_;
-  angular_momentum_ = momentum.angular;
+  centroidal_ = CentroidalMotionOf(*model, *data, base_body_);
   mjtNum twist[6];  // [angular; linear]
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootKinematics& foot = feet_[i];
@@ -143,8 +139,8 @@ void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
   Eigen::Map<Eigen::Vector3d>(data_->qpos) += p;
   Eigen::Map<Eigen::Vector3d>(data_->qvel) += v;
   velocity_.head<3>() += v;
-  p_WC_ += p;
-  v_WC_ += v;
+  centroidal_.p_WC += p;
+  centroidal_.v_WC += v;
   for (FootKinematics& foot : feet_) {
     foot.p_WF += p;
     foot.v_WF += v;
@@ -229,9 +225,9 @@ void RigidBody::WriteHome(RobotState* state) const {
 }
 
 void RigidBody::FillDerived(RobotState* state) const {
-  state->p_WC = p_WC_;
-  state->v_WC = v_WC_;
-  state->angular_momentum = angular_momentum_;
+  state->p_WC = centroidal_.p_WC;
+  state->v_WC = centroidal_.v_WC;
+  state->angular_momentum = centroidal_.angular_momentum;
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     state->feet[i].p_WF = feet_[i].p_WF;
     state->feet[i].R_WF = feet_[i].R_WF;

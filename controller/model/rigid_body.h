@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "controller/types/robot_state.h"
+#include "models/mjcf/centroidal_motion.h"
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_description.h"
 
@@ -84,7 +85,8 @@ class RigidBody {
 
   /// Moves the robot of the last UpdateKinematics() as a whole by `p` (m) and makes it faster by
   /// `v` (m/s), both in W. Leaves what evaluating that state would, for next to nothing: rotations,
-  /// momentum about the CoM, M, Jacobians and biases depend on neither. force_torque() stays.
+  /// momentum about the CoM, M, Jacobians and biases depend on neither. force_torque() stays where
+  /// it was, after an UpdateForceTorque() too.
   void Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v);
 
   /// The IMU on the base for the joints of `state`, whose base is not read. What the Update
@@ -160,9 +162,7 @@ class RigidBody {
   Eigen::VectorXd velocity_;
   Jacobian3 com_jacobian_;
   Eigen::Vector3d com_bias_mps2_;
-  Eigen::Vector3d p_WC_;
-  Eigen::Vector3d v_WC_;
-  Eigen::Vector3d angular_momentum_;
+  CentroidalMotion centroidal_;
   std::vector<FootKinematics> feet_;
   ImuKinematics imu_;
   TorsoKinematics torso_;

@@ -2,6 +2,7 @@
 #include "models/robot_description/urdf_robot.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_parts.h"

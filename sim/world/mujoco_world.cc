@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "models/mjcf/momentum.h"
+#include "models/mjcf/centroidal_motion.h"
 #include "models/mjcf/quaternion.h"
 #include "models/robot_description/home_pose.h"
 #include "models/support/config_error.h"
@@ -210,10 +210,10 @@ void MujocoWorld::ReadState() {
   truth_.q_WB = FromMuJoCo(data->xquat + 4 * base_body_);
   truth_.v_WB = ConstVector3Map(data->qvel + velocity);
   truth_.w_WB_B = ConstVector3Map(data->qvel + velocity + 3);
-  const Momentum momentum = MomentumOf(*model, *data, base_body_);
-  truth_.p_WC = ConstVector3Map(data->subtree_com + 3 * base_body_);
-  truth_.v_WC = momentum.linear / mass_kg_;
-  truth_.angular_momentum = momentum.angular;
+  const CentroidalMotion motion = CentroidalMotionOf(*model, *data, base_body_);
+  truth_.p_WC = motion.p_WC;
+  truth_.v_WC = motion.v_WC;
+  truth_.angular_momentum = motion.angular_momentum;
   ReadJoints();
   ReadFeet();
   ReadSensors();

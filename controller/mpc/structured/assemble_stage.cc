@@ -124,8 +124,9 @@ void SetCongruence(const StageMatrix& matrix, const double* coupling, const doub
 // to += from, both anywhere.
 inline void AddTo(const double* from, int count, double* to) {
   int i = 0;
-  for (; i + 4 <= count; i += 4)
+  for (; i + 4 <= count; i += 4) {
     StoreAnywhere(LoadAnywhere(to + i) + LoadAnywhere(from + i), to + i);
+  }
   for (; i < count; ++i) to[i] += from[i];
 }
 
