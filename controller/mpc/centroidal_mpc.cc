@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
 
 namespace sidestep::mpc {
@@ -21,8 +22,7 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
   GivePreviousForce(&ocp, tick);
   const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp, tick));
   report_ = {true,
-             static_cast<int>(solution.status),
-             ToString(solution.status),
+             solution.status,
              solution.iterations,
              solution.cost,
              solution.constraint_violation,

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/problem/centroidal_solver.h"
 #include "controller/mpc/problem_builder.h"
 #include "controller/types/control_tick.h"
 

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
 #include "controller/types/contact_plan.h"
 #include "controller/types/gravity.h"
 #include "controller/types/mpc_params.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "models/support/require.h"
 
 namespace sidestep::mpc {

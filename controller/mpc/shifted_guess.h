@@ -2,8 +2,8 @@
 #pragma once
 // shifted_guess: the previous solution, moved on in time, as a start for the next problem.
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
 
 namespace sidestep::mpc {
 

@@ -8,6 +8,7 @@
 #include "controller/types/actuator_command.h"
 #include "controller/types/contact_plan.h"
 #include "controller/types/robot_state.h"
+#include "controller/types/solver_status.h"
 #include "controller/types/tick.h"
 
 namespace sidestep {
@@ -33,8 +34,7 @@ struct ComTarget {
 /// How the last MPC solve went. `ran` is true only on the tick of the solve.
 struct MpcReport {
   bool ran{false};
-  int status{0};  ///< mpc::SolveStatus.
-  const char* status_name{"not_solved"};
+  SolveStatus status{SolveStatus::kNotSolved};
   int iterations{0};
   double cost{0.0};
   double constraint_violation{0.0};
@@ -44,7 +44,7 @@ struct MpcReport {
 
 /// How the whole-body solve of this tick went.
 struct WbcReport {
-  int status{0};  ///< wbc::QpStatus; 0 where no QP is solved.
+  QpStatus status{QpStatus::kNotSolved};  ///< kNotSolved where no QP is solved.
   bool ok{true};
   int iterations{0};
 };

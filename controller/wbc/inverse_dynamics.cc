@@ -70,8 +70,7 @@ WbcReport InverseDynamics::Solve(const RobotState& state, const ComTarget& com,
   const DenseQpSolution& solution =
       solver_.Solve({qp_.H.topLeftCorner(n, n), qp_.g.head(n), qp_.A.leftCols(n), qp_.b,
                      qp_.C.topLeftCorner(m, n), qp_.lower.head(m), qp_.upper.head(m)});
-  WbcReport report{static_cast<int>(solution.status), solution.status == QpStatus::kSolved,
-                   solution.iterations};
+  WbcReport report{solution.status, solution.status == QpStatus::kSolved, solution.iterations};
   if (command->torque_Nm.size() == 0) command->torque_Nm.setZero(rigid_body_->num_actuators());
   if (!report.ok) return report;
 

@@ -101,7 +101,7 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
     body_.UpdateBias();
     command->joint_position += deflection_.Update(body_, feet);
   }
-  return {static_cast<int>(solution->status), ok, solution->iterations};
+  return {solution->status, ok, solution->iterations};
 }
 
 void InverseKinematics::Start(const RobotState& state) {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/problem/ocp_json.h"
 #include "models/support/config_error.h"
 
 namespace sidestep {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
 
 namespace sidestep {
 

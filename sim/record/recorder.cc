@@ -39,7 +39,7 @@ std::filesystem::path PrepareFolder(const std::filesystem::path& run_dir) {
 
 void AppendMpcRow(double time_s, const MpcReport& mpc, double wall_ms, std::string& text) {
   AppendNumber(text, time_s);
-  text.append(",").append(mpc.status_name).append(",").append(std::to_string(mpc.iterations));
+  text.append(",").append(EnumName(mpc.status)).append(",").append(std::to_string(mpc.iterations));
   for (const double value : {mpc.cost, mpc.constraint_violation, mpc.kkt_error, wall_ms}) {
     text.push_back(',');
     AppendNumber(text, value);

@@ -108,7 +108,7 @@ void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
   WalkBelief(row.control, line);
   WalkPlan(row.control, line);
   WalkJoints(row, line);
-  line.Number("wbc_status", {}, {}, row.control.wbc.status);
+  line.Number("wbc_status", {}, {}, static_cast<int>(row.control.wbc.status));
   line.Number("mpc_age_s", {}, {}, row.control.mpc_age_s);
   line.Number("wall_control_ms", {}, {}, row.wall.control_ms);
   line.Number("wall_whole_body_ms", {}, {}, row.wall.whole_body_ms);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "controller/mpc/mpc_solution.h"
 #include "sim/verdict/footstep_log.h"
 
 namespace sidestep {
@@ -15,14 +14,14 @@ void SolverMeter::Add(Tick tick, const ControlTick& control) {
   if (!control.wbc.ok) ++wbc_failures_;
   if (!control.mpc.ran) return;
   if (control.mpc.fell_back) ++fallbacks_;
-  if (mpc::IsUsable(static_cast<mpc::SolveStatus>(control.mpc.status))) {
+  if (IsUsable(control.mpc.status)) {
     mpc_failures_in_a_row_ = 0;
     return;
   }
   ++mpc_failures_;
   if (++mpc_failures_in_a_row_ > kMostMpcFailuresInARow && !lost_tick_) {
     lost_tick_ = tick;
-    lost_status_ = control.mpc.status_name;
+    lost_status_ = EnumName(control.mpc.status);
   }
 }
 

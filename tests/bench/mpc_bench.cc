@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/centroidal_solver.h"
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
+#include "controller/mpc/make_solver.h"
+#include "controller/mpc/problem/ocp_json.h"
 
 namespace sidestep::mpc {
 namespace {
@@ -94,7 +94,7 @@ void Solve(benchmark::State& state, const std::string& back_end, const std::stri
     times_ms.push_back(MillisecondsSince(start));
     iterations = solution.iterations;
     if (!IsUsable(solution.status)) {
-      state.SkipWithError(ToString(solution.status));
+      state.SkipWithError(EnumName(solution.status).data());
       return;
     }
   }

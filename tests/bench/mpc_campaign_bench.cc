@@ -10,7 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/make_solver.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "tests/bench/mpc_table_support.h"
 #include "tests/unit/mpc/random_ocp.h"
 
@@ -30,7 +31,7 @@ void CompareWithIpopt(unsigned seed, const CentroidalOcp& ocp, const MpcSolution
     ++counts->num_agreeing;
   } else {
     std::printf("seed %u: structured %s, Ipopt %s after %d iterations\n", seed,
-                ToString(ours.status), ToString(theirs.status), theirs.iterations);
+                EnumName(ours.status).data(), EnumName(theirs.status).data(), theirs.iterations);
   }
   if (!IsUsable(ours.status) || !IsUsable(theirs.status)) return;
   counts->num_higher += ours.cost > theirs.cost * (1.0 + 1e-6) ? 1 : 0;
@@ -57,7 +58,7 @@ int Main(int argc, char** argv) {
     counts.num_infeasible += is_infeasible ? 1 : 0;
     if (!IsFinite(ours) || (!IsUsable(ours.status) && !is_infeasible)) {
       ++counts.num_broken;
-      std::printf("seed %u: structured %s\n", seed, ToString(ours.status));
+      std::printf("seed %u: structured %s\n", seed, EnumName(ours.status).data());
     }
     if (with_ipopt) CompareWithIpopt(seed, ocp, ours, *ipopt, &counts);
   }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/structured/minimize.h"
 #include "controller/mpc/structured/structured_problem.h"
 #include "tests/bench/mpc_table_support.h"

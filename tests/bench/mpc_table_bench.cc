@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/bench/mpc_table_support.h"
 #include "tests/support/recorded_problems.h"

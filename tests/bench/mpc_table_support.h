@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/problem/centroidal_solver.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
 namespace sidestep::mpc {

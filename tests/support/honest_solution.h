@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/mpc_solution.h"
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
+#include "controller/mpc/ipopt/nlp_points.h"
+#include "controller/mpc/problem/mpc_solution.h"
 
 namespace sidestep::mpc {
 

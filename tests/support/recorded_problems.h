@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/problem/ocp_json.h"
 
 namespace sidestep::mpc {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
 
 namespace sidestep::mpc {
 

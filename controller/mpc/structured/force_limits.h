@@ -2,7 +2,7 @@
 #pragma once
 // force_limits: whether any contact force satisfies the friction description at all.
 
-#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
 
 namespace sidestep::mpc::structured {
 

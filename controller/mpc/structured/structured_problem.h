@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
 #include "controller/mpc/structured/arena.h"
 #include "controller/mpc/structured/problem_view.h"
 

@@ -2,7 +2,7 @@
 // Building a problem's view, and points between SI and the core's arrays.
 #include <algorithm>
 
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/structured/structured_problem.h"
 
 namespace sidestep::mpc::structured {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/structured/force_limits.h"
 #include "controller/mpc/structured/interior_point.h"
 #include "controller/mpc/structured/minimize.h"

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/problem/centroidal_solver.h"
 
 namespace sidestep::mpc {
 

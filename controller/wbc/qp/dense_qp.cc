@@ -35,24 +35,6 @@ const DenseQpDimensions& RequireMaxima(const DenseQpDimensions& maxima) {
 
 }  // namespace
 
-const char* ToString(QpStatus status) {
-  switch (status) {
-    case QpStatus::kNotSolved:
-      return "not solved";
-    case QpStatus::kSolved:
-      return "solved";
-    case QpStatus::kInfeasible:
-      return "infeasible";
-    case QpStatus::kUnbounded:
-      return "unbounded";
-    case QpStatus::kIterationLimit:
-      return "iteration limit";
-    case QpStatus::kNumericalError:
-      return "numerical error";
-  }
-  return "unknown";
-}
-
 DenseQpSolver::DenseQpSolver(const DenseQpDimensions& maxima, const DenseQpOptions& options)
     : workspace_(std::make_unique<internal::QpWorkspace>(RequireMaxima(maxima), options)) {}
 

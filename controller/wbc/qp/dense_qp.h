@@ -24,6 +24,8 @@
 #include <limits>
 #include <memory>
 
+#include "controller/types/solver_status.h"
+
 namespace sidestep::wbc {
 
 namespace internal {
@@ -83,18 +85,6 @@ struct DenseQpOptions {
   int max_iterations{500};  ///< Active-set changes, over all passes.
   int max_passes{20};       ///< Proximal and refinement passes; one or two are usual.
 };
-
-/// How a solve ended. Only kSolved carries an optimum.
-enum class QpStatus {
-  kNotSolved,
-  kSolved,
-  kInfeasible,      ///< No x satisfies the constraints (proved within tolerance).
-  kUnbounded,       ///< Feasible, and the cost falls for ever along a ray.
-  kIterationLimit,  ///< Tolerance not reached; x is the last iterate.
-  kNumericalError,  ///< Non-finite data, or H not convex on the equalities' null space.
-};
-
-const char* ToString(QpStatus status);
 
 /// Largest n, m_e or m_i of any solver: bounds the storage of QpVector.
 constexpr int kMaxQpDimension = 512;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "controller/mpc/centroidal_solver.h"
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/make_solver.h"
+#include "controller/mpc/problem/ocp_json.h"
 #include "controller/types/mpc_params.h"
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
@@ -83,11 +83,11 @@ int Solve(const SolveArguments& arguments) {
     (*block)["iterations"] = solution.iterations;
   }
   if (!arguments.out.empty()) WriteTextFile(arguments.out, document.dump(1) + "\n");
-  std::printf("%s: %s", arguments.problem.c_str(), mpc::ToString(solution.status));
-  if (mpc::IsUsable(solution.status)) std::printf(", cost %.9g", solution.cost);
+  std::printf("%s: %s", arguments.problem.c_str(), EnumName(solution.status).data());
+  if (IsUsable(solution.status)) std::printf(", cost %.9g", solution.cost);
   std::printf(", %d iterations, median %.2f ms of %d\n", solution.iterations,
               times["median"].get<double>(), arguments.repeat);
-  return mpc::IsUsable(solution.status) ? kExitPass : kExitFail;
+  return IsUsable(solution.status) ? kExitPass : kExitFail;
 }
 
 }  // namespace

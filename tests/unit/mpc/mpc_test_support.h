@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
+#include "controller/mpc/problem/ocp_json.h"
 
 namespace sidestep::mpc {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "controller/mpc/centroidal_nlp.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
 namespace sidestep::mpc::nlp_derivatives_test {

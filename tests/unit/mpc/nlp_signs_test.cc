@@ -3,8 +3,9 @@
 // everywhere; these can. The robot weighs 2 kg, the step is 0.1 s.
 #include <gtest/gtest.h>
 
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
+#include "controller/mpc/ipopt/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
 namespace sidestep::mpc::nlp_signs_test {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/problem/ocp_json.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 #include "models/support/config_error.h"
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 

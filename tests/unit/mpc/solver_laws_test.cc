@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 #include "models/support/require.h"
 #include "tests/unit/mpc/mpc_test_support.h"
 
@@ -172,12 +172,12 @@ INSTANTIATE_TEST_SUITE_P(BackEnds, SolverStatusTest, testing::Values("ipopt", "s
                          [](const auto& at) { return std::string(at.param); });
 
 TEST(SolveStatusTest, StatusesHaveTheirOwnNames) {
-  EXPECT_STREQ(ToString(SolveStatus::kNotSolved), "not_solved");
-  EXPECT_STREQ(ToString(SolveStatus::kSolved), "solved");
-  EXPECT_STREQ(ToString(SolveStatus::kAcceptable), "acceptable");
-  EXPECT_STREQ(ToString(SolveStatus::kInfeasible), "infeasible");
-  EXPECT_STREQ(ToString(SolveStatus::kIterationLimit), "iteration_limit");
-  EXPECT_STREQ(ToString(SolveStatus::kNumericalError), "numerical_error");
+  EXPECT_EQ(EnumName(SolveStatus::kNotSolved), "not_solved");
+  EXPECT_EQ(EnumName(SolveStatus::kSolved), "solved");
+  EXPECT_EQ(EnumName(SolveStatus::kAcceptable), "acceptable");
+  EXPECT_EQ(EnumName(SolveStatus::kInfeasible), "infeasible");
+  EXPECT_EQ(EnumName(SolveStatus::kIterationLimit), "iteration_limit");
+  EXPECT_EQ(EnumName(SolveStatus::kNumericalError), "numerical_error");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <utility>
 
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/structured/filter.h"
 #include "controller/mpc/structured/force_limits.h"
 #include "controller/mpc/structured/minimize.h"

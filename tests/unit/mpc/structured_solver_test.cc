@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/support/honest_solution.h"
 #include "tests/unit/mpc/random_ocp.h"
@@ -50,7 +50,7 @@ TEST(StructuredSolverTest, StatusesAgreeWithIpoptAndCostsAreMostlyNoHigher) {
     const CentroidalOcp ocp = RandomOcp(seed);
     const MpcSolution& ours = structured->Solve(ocp, nullptr);
     const MpcSolution& theirs = ipopt->Solve(ocp, nullptr);
-    EXPECT_EQ(IsUsable(ours.status), IsUsable(theirs.status)) << ToString(theirs.status);
+    EXPECT_EQ(IsUsable(ours.status), IsUsable(theirs.status)) << EnumName(theirs.status);
     if (IsUsable(ours.status) && ours.cost > theirs.cost * (1.0 + 1e-6)) ++num_higher;
   }
   // Pushed robots have several local minima, and either solver may fall into the higher one.

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/unit/mpc/mpc_test_support.h"

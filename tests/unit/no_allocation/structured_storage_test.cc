@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "controller/mpc/centroidal_mpc.h"
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/unit/mpc/mpc_test_support.h"

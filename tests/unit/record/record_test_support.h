@@ -95,7 +95,7 @@ inline ControlTick BusyControl(Tick tick) {
   control.feet[1].p_WF = {4.1, 4.2, 4.3};
   control.feet[1].contact.nominal_p_WF = {5.1, 5.2, 5.3};
   control.feet[1].contact.adjusted_p_WF = {6.1, 6.2, 6.3};
-  control.mpc = {true, 1, "solved", 17, 1.5, 1e-9, 2e-7, false};
+  control.mpc = {true, SolveStatus::kSolved, 17, 1.5, 1e-9, 2e-7, false};
   control.mpc_age_s = 0.004;
   return control;
 }

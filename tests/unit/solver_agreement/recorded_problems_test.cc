@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/support/honest_solution.h"
 #include "tests/support/recorded_problems.h"
@@ -29,7 +29,7 @@ const MpcSolution& Better(const MpcSolution& a, const MpcSolution& b) {
 
 void ExpectAgreement(const CentroidalOcp& ocp, const MpcSolution& ours, const MpcSolution& theirs) {
   if (!IsUsable(ours.status) || !IsUsable(theirs.status)) {
-    EXPECT_STREQ(ToString(ours.status), ToString(theirs.status));
+    EXPECT_EQ(EnumName(ours.status), EnumName(theirs.status));
     return;
   }
   ExpectHonest(ocp, ours);

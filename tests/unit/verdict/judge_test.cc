@@ -148,7 +148,7 @@ TEST(JudgeTest, FeetOfAFallenRobotMaySlideAndItsSolverMayFail) {
         SinkAfterTick100(tick, truth, control);
         if (tick <= 101) return;
         truth.feet[0].p_WF.x() = 0.5;
-        control.mpc.status = static_cast<int>(mpc::SolveStatus::kInfeasible);
+        control.mpc.status = SolveStatus::kInfeasible;
       });
   EXPECT_EQ(KindsOf(outcome), Kinds{});
 }
@@ -157,8 +157,7 @@ TEST(JudgeTest, FeetOfAFallenRobotMaySlideAndItsSolverMayFail) {
 RunOutcome WithFailedSolves(int count) {
   return OutcomeOf(OneFootScenario(), 100, [=](Tick tick, WorldTruth&, ControlTick& control) {
     if (tick / kControlPeriod >= count) return;
-    control.mpc.status = static_cast<int>(mpc::SolveStatus::kIterationLimit);
-    control.mpc.status_name = "iteration_limit";
+    control.mpc.status = SolveStatus::kIterationLimit;
     control.mpc.fell_back = true;
   });
 }
@@ -177,7 +176,7 @@ TEST(JudgeTest, ASolveInBetweenForgivesTheFailuresBefore) {
   const RunOutcome outcome =
       OutcomeOf(OneFootScenario(), 100, [](Tick tick, WorldTruth&, ControlTick& control) {
         if (tick % 10 == 0) return;  // four of five solves fail
-        control.mpc.status = static_cast<int>(mpc::SolveStatus::kInfeasible);
+        control.mpc.status = SolveStatus::kInfeasible;
       });
   EXPECT_EQ(KindsOf(outcome), Kinds{});
   EXPECT_EQ(NumberOf(outcome, "mpc_failures"), 40.0);

@@ -5,7 +5,6 @@
 #include <functional>
 #include <numbers>
 
-#include "controller/mpc/mpc_solution.h"
 #include "controller/types/control_tick.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/judge.h"
@@ -57,8 +56,7 @@ inline ControlTick StandingControl(const Scenario& scenario) {
     foot.contact.end_tick = 1 << 20;
   }
   control.mpc.ran = true;
-  control.mpc.status = static_cast<int>(mpc::SolveStatus::kSolved);
-  control.mpc.status_name = "solved";
+  control.mpc.status = SolveStatus::kSolved;
   return control;
 }
 

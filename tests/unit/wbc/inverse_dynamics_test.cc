@@ -233,7 +233,7 @@ TEST_F(InverseDynamicsTest, FailedSolveIsToldAndKeepsThePreviousCommand) {
   com_.a_WC.x() = std::numeric_limits<double>::quiet_NaN();
   const WbcReport report = dynamics.Solve(state_, com_, feet_, &command_);
   EXPECT_FALSE(report.ok);
-  EXPECT_EQ(report.status, static_cast<int>(QpStatus::kNumericalError));
+  EXPECT_EQ(report.status, QpStatus::kNumericalError);
   EXPECT_EQ(command_.torque_Nm, before);
   com_.a_WC.x() = 0.0;
   EXPECT_TRUE(dynamics.Solve(state_, com_, feet_, &command_).ok) << "it recovers";

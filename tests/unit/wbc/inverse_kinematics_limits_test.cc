@@ -41,7 +41,7 @@ class InverseKinematicsLimitsTest : public testing::TestWithParam<std::uint64_t>
   }
 
   void Count(const WbcReport& report, const ActuatorCommand& command, int tick) {
-    const bool is_solved = report.status == static_cast<int>(QpStatus::kSolved);
+    const bool is_solved = report.status == QpStatus::kSolved;
     if (report.ok) {
       EXPECT_TRUE(is_solved) << tick;
       ++outcomes_.exact;
@@ -92,7 +92,7 @@ TEST(InverseKinematicsLimitTest, ComThatTheLegsCannotFollowGivesWayToTheFeet) {
   int given_way = 0;
   for (int tick = 0; tick < 60; ++tick) {
     report = ik.Solve(stance.state, stance.com, stance.feet, &command);
-    EXPECT_EQ(report.status, static_cast<int>(QpStatus::kSolved)) << tick;
+    EXPECT_EQ(report.status, QpStatus::kSolved) << tick;
     given_way += report.ok ? 0 : 1;
   }
   EXPECT_FALSE(report.ok);

@@ -24,7 +24,7 @@ class InverseKinematicsTest : public testing::Test {
     for (int tick = 0; tick < ticks; ++tick) {
       const WbcReport report = Solve(ik);
       ASSERT_TRUE(report.ok) << tick;
-      ASSERT_EQ(report.status, static_cast<int>(QpStatus::kSolved)) << tick;
+      ASSERT_EQ(report.status, QpStatus::kSolved) << tick;
     }
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/centroidal_nlp.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,10 +3,10 @@
 #include <array>
 #include <string>
 
-#include "controller/mpc/json_node.h"
-#include "controller/mpc/json_write.h"
-#include "controller/mpc/nlp_points.h"
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/problem/json_node.h"
+#include "controller/mpc/problem/json_write.h"
+#include "controller/mpc/problem/ocp_json.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "models/support/require.h"
 
 namespace sidestep::mpc {
@@ -38,10 +38,10 @@ SolveStatus StatusFromJson(const JsonNode& node) {
   const std::string name = node.String();
   std::string names;
   for (const SolveStatus status : kAll) {
-    if (name == ToString(status)) {
+    if (name == EnumName(status)) {
       return status;
     }
-    names += (names.empty() ? "" : ", ") + std::string(ToString(status));
+    names += (names.empty() ? "" : ", ") + std::string(EnumName(status));
   }
   node.Fail("one of " + names);
 }
@@ -87,7 +87,7 @@ void ReadContact(const JsonNode& node, const OcpContact& contact, ContactSolutio
 }  // namespace
 
 json SolutionToJson(const CentroidalOcp& ocp, const MpcSolution& solution) {
-  json block = {{"status", ToString(solution.status)},
+  json block = {{"status", EnumName(solution.status)},
                 {"cost", nullptr},
                 {"constraint_violation", nullptr},
                 {"kkt_error", nullptr}};

@@ -5,24 +5,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "controller/types/solver_status.h"
+
 namespace sidestep::mpc {
-
-/// How a solve ended. Only kSolved carries an optimum; the rest keep the best iterate found.
-enum class SolveStatus {
-  kNotSolved,
-  kSolved,
-  kAcceptable,  ///< Stopped close to an optimum (looser tolerances).
-  kInfeasible,  ///< Converged to a point of local infeasibility.
-  kIterationLimit,
-  kNumericalError,  ///< Non-finite input or a failed factorisation.
-};
-
-const char* ToString(SolveStatus status);
-
-/// True if the trajectories may be used by the controller.
-inline bool IsUsable(SolveStatus status) {
-  return status == SolveStatus::kSolved || status == SolveStatus::kAcceptable;
-}
 
 /// A contact's part of the solution.
 struct ContactSolution {

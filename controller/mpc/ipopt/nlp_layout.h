@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
 
 namespace sidestep::mpc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/nlp_layout.h"
+#include "controller/mpc/ipopt/nlp_layout.h"
 
 #include <algorithm>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// nlp_points: between points of the NLP (mass-normalised, flat) and MpcSolution (SI, named).
+// solution_shape: an MpcSolution as a point of one CentroidalOcp: its shapes, and where to start.
 
 #include <Eigen/Core>
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
-#include "controller/mpc/nlp_layout.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
 
 namespace sidestep::mpc {
 
@@ -28,13 +27,5 @@ Eigen::Vector3d WeightShare(const CentroidalOcp& ocp, int k);
 /// The starting point without a guess: the CoM at its reference, feet at their nominal places,
 /// forces sharing the weight, momenta zero.
 void ColdStart(const CentroidalOcp& ocp, MpcSolution* guess);
-
-/// x of `point`. Does not allocate if x has the right size.
-void PackPoint(const CentroidalOcp& ocp, const NlpLayout& layout, const MpcSolution& point,
-               Eigen::VectorXd* x);
-
-/// The trajectories of x, state 0 and fixed phases included; other fields are left alone.
-void UnpackPoint(const CentroidalOcp& ocp, const NlpLayout& layout,
-                 const Eigen::Ref<const Eigen::VectorXd>& x, MpcSolution* point);
 
 }  // namespace sidestep::mpc

@@ -2,11 +2,8 @@
 #pragma once
 // centroidal_solver: the small interface behind which back ends solve a CentroidalOcp.
 
-#include <memory>
-#include <string>
-
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
 
 namespace sidestep::mpc {
 
@@ -26,9 +23,5 @@ class CentroidalSolver {
   /// The reference stays valid until the next call. Never throws on a hard problem.
   virtual const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) = 0;
 };
-
-/// Makes the back end called `name`: "ipopt" or "structured". Throws ContractViolation for any
-/// other name.
-std::unique_ptr<CentroidalSolver> MakeSolver(const std::string& name, const SolverOptions& options);
 
 }  // namespace sidestep::mpc

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // First and second derivatives of CentroidalNlp. One visitor per matrix gives both its structure
 // and its values, so the two cannot disagree.
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/skew.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
+#include "controller/mpc/ipopt/skew.h"
 
 namespace sidestep::mpc {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/ocp_json.h"
+#include "controller/mpc/problem/ocp_json.h"
 
 #include <limits>
 #include <string>
 
-#include "controller/mpc/json_node.h"
-#include "controller/mpc/json_write.h"
+#include "controller/mpc/problem/json_node.h"
+#include "controller/mpc/problem/json_write.h"
 
 namespace sidestep::mpc {
 namespace {

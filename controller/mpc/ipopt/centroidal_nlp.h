@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/nlp_layout.h"
+#include "controller/mpc/ipopt/nlp_layout.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
 
 namespace sidestep::mpc {
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/ipopt_solver.h"
+#include "controller/mpc/ipopt/ipopt_solver.h"
 
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
 #include <exception>
 
-#include "controller/mpc/centroidal_nlp.h"
-#include "controller/mpc/nlp_points.h"
+#include "controller/mpc/ipopt/centroidal_nlp.h"
+#include "controller/mpc/ipopt/nlp_points.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "models/support/require.h"
 
 namespace sidestep::mpc {

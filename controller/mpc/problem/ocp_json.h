@@ -10,8 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "controller/mpc/centroidal_ocp.h"
-#include "controller/mpc/mpc_solution.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
+#include "controller/mpc/problem/mpc_solution.h"
 
 namespace sidestep::mpc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/centroidal_ocp.h"
+#include "controller/mpc/problem/centroidal_ocp.h"
 
 #include <cmath>
 

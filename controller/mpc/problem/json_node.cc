@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/json_node.h"
+#include "controller/mpc/problem/json_node.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "controller/mpc/centroidal_solver.h"
+#include "controller/mpc/make_solver.h"
 
-#include "controller/mpc/ipopt_solver.h"
+#include "controller/mpc/ipopt/ipopt_solver.h"
 #include "controller/mpc/structured/structured_solver.h"
 #include "models/support/require.h"
 
