@@ -67,10 +67,11 @@ std::unique_ptr<wbc::WholeBody> MakeWholeBody(const LocomotionSetup& setup,
   if (setup.control.mode == ControlMode::kPassive) return std::make_unique<wbc::Passive>();
   if (rigid_body == nullptr) return std::make_unique<wbc::CentroidalForces>();
   if (setup.control.mode == ControlMode::kPosition) {
-    return std::make_unique<wbc::InverseKinematics>(setup.robot, setup.control.position,
+    return std::make_unique<wbc::InverseKinematics>(setup.robot, setup.control.inverse_kinematics,
                                                     1.0 / setup.control.rate_hz);
   }
-  return std::make_unique<wbc::InverseDynamics>(setup.robot, setup.control.wbc, rigid_body);
+  return std::make_unique<wbc::InverseDynamics>(setup.robot, setup.control.inverse_dynamics,
+                                                rigid_body);
 }
 
 }  // namespace

@@ -9,8 +9,9 @@
 
 #include "controller/types/field.h"
 #include "controller/types/gait_params.h"
+#include "controller/types/inverse_dynamics_params.h"
+#include "controller/types/inverse_kinematics_params.h"
 #include "controller/types/mpc_params.h"
-#include "controller/types/position_params.h"
 
 namespace sidestep {
 
@@ -51,38 +52,6 @@ struct EnumNames<EstimatorKind> {
       {{EstimatorKind::kSensors, "sensors"}, {EstimatorKind::kTruth, "truth"}}};
 };
 
-/// Gains and weights of the inverse dynamics. Accelerations are tracked in SI units.
-struct WbcParams {
-  double com_stiffness_per_s2{100.0};
-  double com_damping_per_s{20.0};
-  double attitude_stiffness_per_s2{200.0};
-  double attitude_damping_per_s{30.0};
-  double swing_stiffness_per_s2{900.0};
-  double swing_damping_per_s{60.0};
-  double com_weight{1.0};
-  double attitude_weight{0.1};
-  double swing_weight{1.0};
-  double force_weight{1e-3};    ///< On contact force minus the MPC's, per N^2.
-  double posture_weight{1e-4};  ///< On accelerations that no task asks for.
-  double friction{0.5};         ///< Coefficient of the cones the forces must keep.
-
-  template <typename Self, typename Visitor>
-  static void VisitFields(Self& self, Visitor&& visit) {
-    visit("com_stiffness_per_s2", self.com_stiffness_per_s2, Range{0.0, 1e5});
-    visit("com_damping_per_s", self.com_damping_per_s, Range{0.0, 1e4});
-    visit("attitude_stiffness_per_s2", self.attitude_stiffness_per_s2, Range{0.0, 1e5});
-    visit("attitude_damping_per_s", self.attitude_damping_per_s, Range{0.0, 1e4});
-    visit("swing_stiffness_per_s2", self.swing_stiffness_per_s2, Range{0.0, 1e5});
-    visit("swing_damping_per_s", self.swing_damping_per_s, Range{0.0, 1e4});
-    visit("com_weight", self.com_weight, Range{0.0, 1e6});
-    visit("attitude_weight", self.attitude_weight, Range{0.0, 1e6});
-    visit("swing_weight", self.swing_weight, Range{0.0, 1e6});
-    visit("force_weight", self.force_weight, Range{0.0, 1e6});
-    visit("posture_weight", self.posture_weight, Range{0.0, 1e6});
-    visit("friction", self.friction, Range{0.01, 10.0});
-  }
-};
-
 /// Noise that the state estimator assumes (standard deviations) and its contact threshold.
 struct EstimatorParams {
   double accelerometer_noise_mps2{0.2};
@@ -117,8 +86,8 @@ struct ControlParams {
   EstimatorKind estimator{EstimatorKind::kSensors};
   PlannerParams planner;
   MpcParams mpc;
-  WbcParams wbc;
-  PositionParams position;
+  InverseDynamicsParams inverse_dynamics;      ///< Of mode torque.
+  InverseKinematicsParams inverse_kinematics;  ///< Of mode position.
   EstimatorParams estimation;
 
   template <typename Self, typename Visitor>
@@ -129,8 +98,8 @@ struct ControlParams {
     visit("estimator", self.estimator);
     visit("planner", self.planner);
     visit("mpc", self.mpc);
-    visit("wbc", self.wbc);
-    visit("position", self.position);
+    visit("inverse_dynamics", self.inverse_dynamics);
+    visit("inverse_kinematics", self.inverse_kinematics);
     visit("estimation", self.estimation);
   }
 };

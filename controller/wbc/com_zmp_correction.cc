@@ -41,7 +41,7 @@ std::optional<Eigen::Vector2d> PlannedZeroMomentPoint(
   return ZmpOf(force_N, moment_Nm, min_force_N);
 }
 
-Eigen::Vector3d CorrectedComVelocity(const PositionParams& params, const RobotState& state,
+Eigen::Vector3d CorrectedComVelocity(const InverseKinematicsParams& params, const RobotState& state,
                                      const ComTarget& com,
                                      const std::optional<Eigen::Vector2d>& planned_zmp,
                                      const std::optional<Eigen::Vector2d>& believed_zmp) {

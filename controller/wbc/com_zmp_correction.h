@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "controller/types/control_tick.h"
-#include "controller/types/position_params.h"
+#include "controller/types/inverse_kinematics_params.h"
 #include "controller/types/robot_state.h"
 
 namespace sidestep::wbc {
@@ -31,7 +31,7 @@ std::optional<Eigen::Vector2d> PlannedZeroMomentPoint(
     double min_force_N);
 
 /// CoM velocity for the inverse kinematics (m/s, in W).
-Eigen::Vector3d CorrectedComVelocity(const PositionParams& params, const RobotState& state,
+Eigen::Vector3d CorrectedComVelocity(const InverseKinematicsParams& params, const RobotState& state,
                                      const ComTarget& com,
                                      const std::optional<Eigen::Vector2d>& planned_zmp,
                                      const std::optional<Eigen::Vector2d>& believed_zmp);

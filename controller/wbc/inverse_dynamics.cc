@@ -26,7 +26,7 @@ DenseQpDimensions MaxDimensions(const RobotDescription& robot, const RigidBody& 
 
 }  // namespace
 
-InverseDynamics::InverseDynamics(const RobotDescription& robot, const WbcParams& params,
+InverseDynamics::InverseDynamics(const RobotDescription& robot, const InverseDynamicsParams& params,
                                  const RigidBody* rigid_body)
     : robot_(robot),
       params_(params),

@@ -27,7 +27,7 @@ class InverseDynamics final : public WholeBody {
  public:
   /// `rigid_body` must outlive this object and be updated, Jacobians and bias too, to the state
   /// given to Solve().
-  InverseDynamics(const RobotDescription& robot, const WbcParams& params,
+  InverseDynamics(const RobotDescription& robot, const InverseDynamicsParams& params,
                   const RigidBody* rigid_body);
 
   WbcReport Solve(const RobotState& state, const ComTarget& com,
@@ -45,7 +45,7 @@ class InverseDynamics final : public WholeBody {
   void AddTorqueLimits();
 
   RobotDescription robot_;
-  WbcParams params_;
+  InverseDynamicsParams params_;
   const RigidBody* rigid_body_;
   Eigen::Index nv_;
   Eigen::Index num_forces_{0};  // 3 a foot in contact

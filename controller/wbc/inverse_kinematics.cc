@@ -35,8 +35,8 @@ DenseQpDimensions Maxima(const RobotDescription& robot, const RigidBody& body) {
 
 }  // namespace
 
-InverseKinematics::InverseKinematics(const RobotDescription& robot, const PositionParams& params,
-                                     double dt_s)
+InverseKinematics::InverseKinematics(const RobotDescription& robot,
+                                     const InverseKinematicsParams& params, double dt_s)
     : robot_(robot),
       params_(params),
       dt_s_(dt_s),

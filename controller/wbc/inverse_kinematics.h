@@ -29,7 +29,8 @@ namespace sidestep::wbc {
 class InverseKinematics final : public WholeBody {
  public:
   /// `dt_s` is the control period. The robot must have servos (RobotDescription::joints).
-  InverseKinematics(const RobotDescription& robot, const PositionParams& params, double dt_s);
+  InverseKinematics(const RobotDescription& robot, const InverseKinematicsParams& params,
+                    double dt_s);
 
   WbcReport Solve(const RobotState& state, const ComTarget& com,
                   const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
@@ -59,7 +60,7 @@ class InverseKinematics final : public WholeBody {
   Eigen::Index Joint(std::size_t actuator) const;
 
   RobotDescription robot_;
-  PositionParams params_;
+  InverseKinematicsParams params_;
   double dt_s_;
   RigidBody body_;  // at the commanded state
   RobotState commanded_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "controller/types/control_tick.h"
-#include "controller/types/position_params.h"
+#include "controller/types/inverse_kinematics_params.h"
 #include "tests/support/icub3.h"
 
 namespace sidestep::wbc {
@@ -15,8 +15,8 @@ namespace sidestep::wbc {
 inline constexpr double kStanceTick_s = 0.005;
 
 /// No feedback from the belief, no anchor, no compensation: the stack of tasks alone.
-inline PositionParams BareTasks() {
-  PositionParams params;
+inline InverseKinematicsParams BareTasks() {
+  InverseKinematicsParams params;
   params.com_feedback_per_s = 0.0;
   params.zmp_feedback_per_s = 0.0;
   params.position_anchor_per_s = 0.0;

@@ -43,7 +43,7 @@ DenseQpProblem Recorded(const InverseKinematics& inverse_kinematics, bool is_exa
 
 TEST(RecordedVelocityQpTest, CostAndPointAgreeWithIpopt) {
   IcubStance stance;
-  InverseKinematics inverse_kinematics(stance.robot, PositionParams{}, kStanceTick_s);
+  InverseKinematics inverse_kinematics(stance.robot, InverseKinematicsParams{}, kStanceTick_s);
   WildTargets targets(7, &stance);
   DenseQpSolver solver({29, 15, 23});
   ActuatorCommand command;

@@ -109,7 +109,7 @@ class CorrectedComVelocityTest : public testing::Test {
     com_.v_WC = {0.3, -0.2, 0.1};
   }
 
-  PositionParams params_;
+  InverseKinematicsParams params_;
   RobotState state_;
   ComTarget com_;
 };

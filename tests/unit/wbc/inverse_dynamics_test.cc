@@ -105,7 +105,7 @@ class InverseDynamicsTest : public testing::Test {
 
   RobotDescription robot_;
   RigidBody body_;
-  WbcParams params_;
+  InverseDynamicsParams params_;
   RobotState state_;
   ComTarget com_;
   std::vector<FootTarget> feet_;

@@ -59,7 +59,7 @@ class InverseKinematicsAnchorTest : public testing::Test {
 };
 
 TEST_F(InverseKinematicsAnchorTest, TurnedAndShiftedWorldGetsTheSameReferences) {
-  PositionParams params;  // all feedback, anchors and compensation
+  InverseKinematicsParams params;  // all feedback, anchors and compensation
   stance_.PlanWeightEvenly();
   stance_.com.v_WC = {0.02, 0.03, -0.01};
   for (FootState& foot : stance_.state.feet) foot.wrench = {{5.0, -8.0, 250.0}, {3.0, -4.0, 1.0}};
@@ -84,7 +84,7 @@ TEST_F(InverseKinematicsAnchorTest, TurnedAndShiftedWorldGetsTheSameReferences) 
 }
 
 TEST_F(InverseKinematicsAnchorTest, BeliefThatSlidesAwayLeavesTheJointsOfAStandingRobotAlone) {
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   params.position_anchor_per_s = 10.0;
   InverseKinematics ik(stance_.robot, params, kStanceTick_s);
   InverseKinematics twin(stance_.robot, params, kStanceTick_s);
@@ -95,7 +95,7 @@ TEST_F(InverseKinematicsAnchorTest, BeliefThatSlidesAwayLeavesTheJointsOfAStandi
 }
 
 TEST_F(InverseKinematicsAnchorTest, AnchoredRobotSwingsToItsTargetFromWhereTheBeliefSeesIt) {
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   const auto swung = [&](double anchor_per_s, const Eigen::Vector3d& shift) {
     stance_ = IcubStance();
     params.position_anchor_per_s = anchor_per_s;
@@ -116,7 +116,7 @@ TEST_F(InverseKinematicsAnchorTest, AnchoredRobotSwingsToItsTargetFromWhereTheBe
 }
 
 TEST_F(InverseKinematicsAnchorTest, FeetThatAreNotFeltAnchorNothing) {
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   InverseKinematics twin(stance_.robot, params, kStanceTick_s);
   const Eigen::VectorXd unmoved = Run(20, &twin).joint_position;
   params.position_anchor_per_s = kAtOnce_per_s;
@@ -130,7 +130,7 @@ TEST_F(InverseKinematicsAnchorTest, FeetThatAreNotFeltAnchorNothing) {
 
 TEST_F(InverseKinematicsAnchorTest, TiltOfTheBeliefTurnsTheSolesFlatAgainUnderTheSameCom) {
   constexpr double kTilt_rad = 0.02;  // forward
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   params.attitude_anchor_per_s = kAtOnce_per_s;
   InverseKinematics ik(stance_.robot, params, kStanceTick_s);
   Run(1, &ik);

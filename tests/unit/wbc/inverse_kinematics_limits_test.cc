@@ -64,7 +64,7 @@ TEST_P(InverseKinematicsLimitsTest, WildTargetsKeepEveryLimitAndEveryStatusIsTol
 #else
   constexpr int kTicks = 3000;
 #endif
-  PositionParams params;
+  InverseKinematicsParams params;
   params.compensates_deflection = false;
   InverseKinematics ik(stance_.robot, params, kStanceTick_s);
   WildTargets wild(GetParam(), &stance_);

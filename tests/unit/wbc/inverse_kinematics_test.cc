@@ -122,7 +122,7 @@ TEST_F(InverseKinematicsTest, ArmsGoHomeWhichNoTaskHinders) {
 }
 
 TEST_F(InverseKinematicsTest, BelievedComBehindThePlanIsSentAfterIt) {
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   params.com_feedback_per_s = 4.0;
   stance_.com.p_WC += Eigen::Vector3d(0.01, -0.005, 0.0);
   InverseKinematics ik(stance_.robot, params, kStanceTick_s);
@@ -134,7 +134,7 @@ TEST_F(InverseKinematicsTest, BelievedComBehindThePlanIsSentAfterIt) {
 }
 
 TEST_F(InverseKinematicsTest, GroundThatCarriesAheadOfThePlanSendsTheComAhead) {
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   params.zmp_feedback_per_s = 0.5;
   stance_.PlanWeightEvenly();  // around the feet's midpoint, for the soles are mirrored
   const double half_weight_N = 0.5 * 9.81 * stance_.body.mass_kg();

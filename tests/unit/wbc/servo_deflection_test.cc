@@ -128,7 +128,7 @@ TEST_F(ServoDeflectionTest, ChangedPlanArrivesWithinATenthOfASecondAndWithoutAJu
 }
 
 TEST_F(ServoDeflectionTest, InverseKinematicsAddsItToItsReferences) {
-  PositionParams params = BareTasks();
+  InverseKinematicsParams params = BareTasks();
   InverseKinematics bare(stance_.robot, params, kStanceTick_s);
   params.compensates_deflection = true;
   InverseKinematics compensating(stance_.robot, params, kStanceTick_s);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// position_params: gains of the whole-body inverse kinematics and of what corrects it. The CoM
-// needs no gain there: its velocity already answers what the robot is believed to do.
+// inverse_kinematics_params: gains of the whole-body inverse kinematics and of what corrects it.
+// The CoM needs no gain there: its velocity already answers what the robot is believed to do.
 
 #include "controller/types/field.h"
 
@@ -12,7 +12,7 @@ namespace sidestep {
 /// Source: Romualdi et al. (ICRA 2022), section III-C; CoM-ZMP correction: Choi et al., "Posture/
 /// walking control for humanoid robot based on kinematic resolution of CoM Jacobian with embedded
 /// motion", IEEE Trans. Robotics 23 (2007).
-struct PositionParams {
+struct InverseKinematicsParams {
   double foot_linear_gain_per_s{5.0};
   double foot_angular_gain_per_s{4.0};
   double torso_gain_per_s{5.0};
