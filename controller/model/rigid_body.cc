@@ -22,7 +22,7 @@ constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.x
 }  // namespace
 
 RigidBody::RigidBody(const RobotDescription& robot)
-    : model_(CompileMjcf(kBareWorld, MjcfOf(robot, Looks::kLeftOut), ModelFile(robot))),
+    : model_(CompileMjcf(kBareWorld, RequireModel(robot).simulated_mjcf, robot.model->file)),
       data_(MakeData(*model_)),
       gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(model_->opt.gravity)) {
   ResolveNames(robot);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/robot_description/robot_description.h"
 
+#include <utility>
+
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/mjcf_names.h"
 #include "models/robot_description/robot_parts.h"
 #include "models/robot_description/urdf_robot.h"
+#include "models/support/config_error.h"
 #include "models/support/config_node.h"
 
 namespace sidestep {
@@ -22,15 +25,17 @@ void ReadVersion(ConfigMap& map) {
 /// The keys of a robot that has an MJCF.
 void ReadMjcfRobot(ConfigMap& map, RobotDescription* robot) {
   const ConfigNode mjcf = map.Required("mjcf");
-  robot->mjcf = (robot->file.parent_path() / ReadName(mjcf)).lexically_normal();
+  const std::filesystem::path file =
+      (robot->file.parent_path() / ReadName(mjcf)).lexically_normal();
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(robot->mjcf, ignored)) {
+  if (!std::filesystem::is_regular_file(file, ignored)) {
     mjcf.Fail("= '" + mjcf.Text() + "' is no file beside this one");
   }
   if (const auto mass = map.Optional("mass_kg")) {
     mass->Fail("is told by the MJCF; leave it out");
   }
-  ReadModelParts(map, {"MJCF", ReadMjcfNames(robot->mjcf)}, robot);
+  robot->model = ReadMjcfModel(file);
+  ReadModelParts(map, {ModelLanguage::kMjcf, ReadMjcfNames(file)}, robot);
   for (const FootDescription& foot : robot->feet) {
     robot->force_torque.insert(robot->force_torque.end(), foot.force_torque.begin(),
                                foot.force_torque.end());
@@ -75,17 +80,16 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   return robot;
 }
 
-std::string MjcfOf(const RobotDescription& robot, Looks looks) {
-  if (robot.urdf.empty()) return ReadTextFile(robot.mjcf);
-  return looks == Looks::kDrawn ? robot.urdf_mjcf : robot.plain_mjcf;
+const RobotModel& RequireModel(const RobotDescription& robot) {
+  if (robot.model) return *robot.model;
+  throw ConfigError(robot.file.string() + ": error: needs an mjcf or a urdf");
 }
 
 RobotNames NamesIn(const RobotDescription& description) {
   RobotNames names;
-  if (HasModel(description)) {
-    MjcfNames parts = description.urdf.empty()
-                          ? ReadMjcfNames(description.mjcf)
-                          : NamesOf(*CompileMjcf(MjcfOf(description), "", description.urdf));
+  if (description.model) {
+    const RobotModel& model = *description.model;
+    MjcfNames parts = NamesOf(*CompileMjcf(model.drawn_mjcf, "", model.file));
     return {std::move(parts.bodies), std::move(parts.sites)};
   }
   names.bodies.emplace_back("com");

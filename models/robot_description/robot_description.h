@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// robot_description: what robot.yaml says of a robot, beside its MJCF or URDF.
+// robot_description: what robot.yaml says of a robot, beside its model in MJCF or URDF.
 
 #include <Eigen/Core>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "models/robot_description/robot_model.h"
 
 namespace sidestep {
 
@@ -39,15 +42,11 @@ struct JointDescription {
 /// `<name>` for every force/torque sensor, and one motor an actuated joint.
 struct RobotDescription {
   std::string name;
-  std::filesystem::path file;  ///< The robot.yaml it was read from.
-  std::filesystem::path mjcf;  ///< Absolute; empty for a URDF and for the centroidal plant only.
-  std::filesystem::path urdf;  ///< Absolute; empty unless the robot is a URDF.
-  std::string urdf_mjcf;       ///< What the URDF became when the robot was read; else empty.
-  std::string plain_mjcf;      ///< The same without the shapes that are only looked at.
-  std::string ground_pairs;    ///< UrdfMjcf::ground_pairs; empty unless the robot is a URDF.
-  double mass_kg{0.0};         ///< Given only when there is no MJCF to tell it; else 0.
-  std::string base;            ///< Body B that carries the free joint.
-  std::string imu;             ///< Site U.
+  std::filesystem::path file;       ///< The robot.yaml it was read from.
+  std::optional<RobotModel> model;  ///< Absent: it lives on the centroidal plant only.
+  double mass_kg{0.0};              ///< Given only when there is no model to tell it; else 0.
+  std::string base;                 ///< Body B that carries the free joint.
+  std::string imu;                  ///< Site U.
   std::string torso;         ///< Site whose orientation the whole-body control holds; may be empty.
   double com_height_m{0.0};  ///< Nominal CoM above the ground.
   double base_height_m{0.0};  ///< Base origin above the ground at the start.
@@ -59,23 +58,8 @@ struct RobotDescription {
   std::vector<FootDescription> feet;   ///< At least one.
 };
 
-/// Whether the robot has a rigid-body model; without one it lives on the centroidal plant only.
-inline bool HasModel(const RobotDescription& robot) {
-  return !robot.mjcf.empty() || !robot.urdf.empty();
-}
-
-/// The file of the robot's model, MJCF or URDF; empty if it has none.
-inline const std::filesystem::path& ModelFile(const RobotDescription& robot) {
-  return robot.urdf.empty() ? robot.mjcf : robot.urdf;
-}
-
-/// Whether a model has the shapes that are only looked at. Physics is the same without them, and
-/// with half the bodies a step of the iCub takes a quarter less. MJCF files are taken as they are.
-enum class Looks { kDrawn, kLeftOut };
-
-/// The MJCF of a robot that has a model: its file's text, or what its URDF becomes.
-/// Throws ConfigError if the file can't be read.
-std::string MjcfOf(const RobotDescription& robot, Looks looks = Looks::kDrawn);
+/// The robot's model. Throws ConfigError naming robot.file if it has none.
+const RobotModel& RequireModel(const RobotDescription& robot);
 
 /// Reads a robot.yaml, but for its `control` block: this robot's own defaults of a scenario's
 /// `control`, which only ReadScenario understands. Throws ConfigError with file:line:column.

@@ -44,7 +44,7 @@ void ReadFootSensors(ConfigMap& map, const KnownParts& parts, FootDescription* f
   if (const auto sensors = map.Optional("force_torque")) {
     foot->force_torque = ReadForceTorque(*sensors, parts);
     if (foot->force_torque.empty()) sensors->Fail("must hold at least one sensor");
-  } else if (parts.model == "URDF") {
+  } else if (parts.language == ModelLanguage::kUrdf) {
     map.Required("force_torque");
   } else {
     RequireSensor(map.Required("name"), parts, foot->name + "_touch");
@@ -57,7 +57,7 @@ FootDescription ReadFoot(const ConfigNode& node, const KnownParts* parts) {
   foot.name = ReadName(map.Required("name"));
   if (parts != nullptr) {
     foot.frame =
-        ReadPart(map.Required("frame"), parts->names.sites, parts->frame_kind, parts->model);
+        ReadPart(map.Required("frame"), parts->names.sites, parts->frame_kind, parts->language);
     ReadFootSensors(map, *parts, &foot);
   } else {
     const std::optional<ConfigNode> frame = map.Optional("frame");
@@ -76,8 +76,8 @@ std::map<std::string, double> ReadHome(const ConfigNode& node, const KnownParts&
   std::map<std::string, double> home;
   for (const std::string& joint : map.Keys()) {
     if (!Contains(parts.names.joints, joint)) {
-      map.FailAtKey(joint, "is no joint of the " + parts.model + "; " +
-                               DidYouMean(joint, parts.names.joints, "known ones"));
+      map.FailAtKey(joint, std::string("is no joint of the ") + LanguageName(parts.language) +
+                               "; " + DidYouMean(joint, parts.names.joints, "known ones"));
     }
     home[joint] = map.Required(joint).Number(-kMaxJointPosition, kMaxJointPosition);
   }
@@ -104,18 +104,18 @@ std::vector<std::string> ReadNames(const ConfigNode& node) {
 }
 
 std::string ReadPart(const ConfigNode& node, const std::vector<std::string>& known,
-                     const std::string& kind, const std::string& model) {
+                     const std::string& kind, ModelLanguage language) {
   std::string name = ReadName(node);
   if (!Contains(known, name)) {
-    node.Fail("= '" + name + "' is no " + kind + " of the " + model + "; " +
+    node.Fail("= '" + name + "' is no " + kind + " of the " + LanguageName(language) + "; " +
               DidYouMean(name, known, "known ones"));
   }
   return name;
 }
 
 std::vector<std::string> ReadParts(const ConfigNode& node, const std::vector<std::string>& known,
-                                   const std::string& kind, const std::string& model) {
-  for (const ConfigNode& element : node.List()) ReadPart(element, known, kind, model);
+                                   const std::string& kind, ModelLanguage language) {
+  for (const ConfigNode& element : node.List()) ReadPart(element, known, kind, language);
   return ReadNames(node);
 }
 
@@ -133,7 +133,8 @@ std::vector<double> ReadNumbers(const ConfigNode& node, std::size_t count) {
 
 void RequireSensor(const ConfigNode& at, const KnownParts& parts, const std::string& sensor) {
   if (!Contains(parts.names.sensors, sensor)) {
-    at.Fail("needs a sensor '" + sensor + "', which the " + parts.model + " lacks");
+    at.Fail("needs a sensor '" + sensor + "', which the " + LanguageName(parts.language) +
+            " lacks");
   }
 }
 
@@ -152,14 +153,14 @@ std::vector<FootDescription> ReadFeet(const ConfigNode& node, const KnownParts* 
 
 void ReadModelParts(ConfigMap& map, const KnownParts& parts, RobotDescription* robot) {
   const MjcfNames& names = parts.names;
-  robot->base = ReadPart(map.Required("base"), names.free_bodies, parts.base_kind, parts.model);
+  robot->base = ReadPart(map.Required("base"), names.free_bodies, parts.base_kind, parts.language);
   const ConfigNode imu = map.Required("imu");
-  robot->imu = ReadPart(imu, names.sites, parts.frame_kind, parts.model);
+  robot->imu = ReadPart(imu, names.sites, parts.frame_kind, parts.language);
   for (const char* quantity : {"_orientation", "_gyro", "_accelerometer"}) {
     RequireSensor(imu, parts, robot->imu + quantity);
   }
   if (const auto torso = map.Optional("torso")) {
-    robot->torso = ReadPart(*torso, names.sites, parts.frame_kind, parts.model);
+    robot->torso = ReadPart(*torso, names.sites, parts.frame_kind, parts.language);
   }
   robot->base_height_m = map.Required("base_height_m").Number(0.0, kMaxLength_m);
   if (const auto rpy = map.Optional("base_rpy_rad")) {

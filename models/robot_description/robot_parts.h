@@ -17,7 +17,7 @@ inline constexpr double kMaxMass_kg = 1e4;
 
 /// What the names of a robot.yaml refer to.
 struct KnownParts {
-  std::string model;                                ///< "MJCF" or "URDF", for error texts.
+  ModelLanguage language{ModelLanguage::kMjcf};     ///< Named in error texts.
   MjcfNames names;                                  ///< Of the model, or what a URDF's will be.
   std::string base_kind{"body with a free joint"};  ///< What the model's own language calls it.
   std::string frame_kind{"site"};
@@ -31,11 +31,11 @@ std::vector<std::string> ReadNames(const ConfigNode& node);
 
 /// A name that must be among `known`, the model's parts of that kind.
 std::string ReadPart(const ConfigNode& node, const std::vector<std::string>& known,
-                     const std::string& kind, const std::string& model);
+                     const std::string& kind, ModelLanguage language);
 
 /// Names that must be among `known`, no two the same.
 std::vector<std::string> ReadParts(const ConfigNode& node, const std::vector<std::string>& known,
-                                   const std::string& kind, const std::string& model);
+                                   const std::string& kind, ModelLanguage language);
 
 /// A list of exactly `count` finite numbers.
 std::vector<double> ReadNumbers(const ConfigNode& node, std::size_t count);

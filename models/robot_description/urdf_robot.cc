@@ -15,7 +15,7 @@ constexpr double kMaxGain = 1e6;   // Nm/rad and Nms/rad
 constexpr double kMaxLimit = 1e5;  // Nm and rad/s
 constexpr double kMaxArmature_kgm2 = 1e2;
 constexpr double kMaxWeight = 1e6;
-constexpr char kUrdf[] = "URDF";
+constexpr ModelLanguage kUrdf = ModelLanguage::kUrdf;
 constexpr char kFrame[] = "link without mass";
 
 std::vector<std::string> NamesOfJoints(const UrdfParts& urdf,
@@ -205,13 +205,14 @@ KnownParts PartsAfterConversion(const UrdfParts& urdf, const UrdfConversion& con
 
 void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot) {
   const ConfigNode node = map.Required("urdf");
-  robot->urdf = (robot->file.parent_path() / ReadName(node)).lexically_normal();
+  const std::filesystem::path urdf_file =
+      (robot->file.parent_path() / ReadName(node)).lexically_normal();
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(robot->urdf, ignored)) {
+  if (!std::filesystem::is_regular_file(urdf_file, ignored)) {
     node.Fail("= '" + node.Text() + "' is no file beside this one");
   }
   if (const auto mass = map.Optional("mass_kg")) mass->Fail("is told by the URDF; leave it out");
-  const UrdfParts urdf = ReadUrdfParts(robot->urdf);
+  const UrdfParts urdf = ReadUrdfParts(urdf_file);
   UrdfConversion conversion;
   ReadJoints(map, urdf, robot, &conversion);
   conversion.imu = ReadName(map.Required("imu"));
@@ -228,12 +229,12 @@ void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot) {
     robot->force_torque.push_back(sensor.name);
   }
   for (const FootDescription& foot : robot->feet) conversion.foot_frames.push_back(foot.frame);
-  UrdfMjcf drawn = UrdfToMjcf(robot->urdf, conversion);
-  robot->urdf_mjcf = std::move(drawn.robot);
-  robot->ground_pairs = std::move(drawn.ground_pairs);
-  CompileMjcf(robot->urdf_mjcf, "", robot->urdf);
-  conversion.has_looks = false;
-  robot->plain_mjcf = UrdfToMjcf(robot->urdf, conversion).robot;
+  UrdfMjcf drawn = UrdfToMjcf(urdf_file, conversion);
+  conversion.has_visuals = false;
+  robot->model =
+      RobotModel{ModelLanguage::kUrdf, urdf_file, UrdfToMjcf(urdf_file, conversion).robot,
+                 std::move(drawn.robot), std::move(drawn.ground_pairs)};
+  CompileMjcf(robot->model->drawn_mjcf, "", urdf_file);
 }
 
 }  // namespace sidestep

@@ -8,7 +8,7 @@
 namespace sidestep {
 
 /// Reads `urdf` and all keys of a robot that has one, converts it and has MuJoCo compile it.
-/// Fills robot->urdf, its MJCF, joints, force_torque and what ReadModelParts reads.
+/// Fills robot->model, joints, force_torque and what ReadModelParts reads.
 /// Throws ConfigError at the value's place, or naming the URDF for what is wrong in there.
 void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot);
 

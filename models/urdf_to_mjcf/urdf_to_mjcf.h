@@ -67,7 +67,7 @@ struct UrdfConversion {
   std::vector<std::string> locked_joints;  ///< Welded at zero.
   std::vector<UrdfForceTorque> force_torque;
   std::vector<UrdfCollisionGroups> self_collision;
-  bool has_looks{true};  ///< Whether shapes that do not collide come along.
+  bool has_visuals{true};  ///< Whether visual shapes, which do not collide, come along.
 };
 
 /// What a URDF becomes.

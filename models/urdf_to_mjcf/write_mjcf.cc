@@ -148,17 +148,17 @@ class MjcfWriter {
   /// Shapes to look at go to a massless body of their own, without a name: MuJoCo leaves bodies out
   /// of its collision search only as a whole, and skipping geoms one by one took a fifth of a step.
   void WriteShapes(const Body& body, bool is_foot, const std::string& indent) {
-    std::vector<const Shape*> looks;
+    std::vector<const Shape*> visuals;
     for (const Shape& shape : body.shapes) {
       if (shape.collides) {
         WriteShape(shape, is_foot, indent);
       } else {
-        looks.push_back(&shape);
+        visuals.push_back(&shape);
       }
     }
-    if (looks.empty() || !conversion_.has_looks) return;
+    if (visuals.empty() || !conversion_.has_visuals) return;
     xml_ << indent << "<body>\n";
-    for (const Shape* shape : looks) WriteShape(*shape, is_foot, indent + "  ");
+    for (const Shape* shape : visuals) WriteShape(*shape, is_foot, indent + "  ");
     xml_ << indent << "</body>\n";
   }
 

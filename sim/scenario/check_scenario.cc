@@ -68,7 +68,7 @@ void CheckMpc(const MpcParams& mpc, const ConfigTree& root) {
 }
 
 void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
-  if (scenario.plant == Plant::kMujoco && !HasModel(scenario.description_of_robot)) {
+  if (scenario.plant == Plant::kMujoco && !scenario.description_of_robot.model) {
     FailAtEither(root, "plant", "robot",
                  "= mujoco needs a robot with an MJCF, which '" + scenario.robot +
                      "' lacks; write plant: centroidal");
@@ -134,10 +134,7 @@ void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
 /// Parts that a push may name: the MJCF's, or the reduced model's on the centroidal plant.
 std::vector<std::string> PushableParts(const Scenario& scenario) {
   RobotDescription robot = scenario.description_of_robot;
-  if (scenario.plant == Plant::kCentroidal) {
-    robot.mjcf.clear();
-    robot.urdf.clear();
-  }
+  if (scenario.plant == Plant::kCentroidal) robot.model.reset();
   RobotNames names = NamesIn(robot);
   names.bodies.insert(names.bodies.end(), names.frames.begin(), names.frames.end());
   return std::move(names.bodies);

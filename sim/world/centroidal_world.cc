@@ -16,10 +16,10 @@ constexpr char kCom[] = "com";     // as the drawn stand-in and the scenario's p
 
 double NominalMass(const RobotDescription& robot) {
   if (robot.mass_kg > 0.0) return robot.mass_kg;
-  if (!HasModel(robot)) {
+  if (!robot.model) {
     throw ConfigError(robot.file.string() + ": error: mass_kg is missing and there is no MJCF");
   }
-  const MjModelPtr model = CompileMjcf(MjcfOf(robot), "", ModelFile(robot));
+  const MjModelPtr model = CompileMjcf(robot.model->simulated_mjcf, "", robot.model->file);
   return mj_getTotalmass(model.get());
 }
 

@@ -36,7 +36,7 @@ Eigen::MatrixX2d MotorRanges(const mjModel& model) {
 }  // namespace
 
 MujocoWorld::MujocoWorld(const Scenario& scenario)
-    : model_(CompileWorld(scenario, Looks::kLeftOut)),
+    : model_(CompileWorld(scenario, ModelDetail::kSimulated)),
       data_(MakeData(*model_)),
       pushes_(scenario.pushes, scenario.world.step_s),
       mass_kg_(mj_getTotalmass(model_.get())),

@@ -71,8 +71,8 @@ std::string CentroidalStandIn(const RobotDescription& robot) {
 // A URDF's shapes touch only what is listed, so its world names the pairs: MuJoCo's search for
 // others (a sweep over all bodies, sorted anew) takes a fifth of the iCub's step and finds none.
 void WriteListedContacts(const RobotDescription& robot, std::ostream& xml) {
-  if (robot.ground_pairs.empty()) return;
-  xml << "<option collision=\"predefined\"/><contact>" << robot.ground_pairs << "</contact>";
+  if (robot.model->ground_pairs.empty()) return;
+  xml << "<option collision=\"predefined\"/><contact>" << robot.model->ground_pairs << "</contact>";
 }
 
 // Sliding friction of the ground with everything.
@@ -97,7 +97,7 @@ void ScaleMasses(double scale, mjModel* model) {
 
 }  // namespace
 
-MjModelPtr CompileWorld(const Scenario& scenario, Looks looks) {
+MjModelPtr CompileWorld(const Scenario& scenario, ModelDetail detail) {
   const RobotDescription& robot = scenario.description_of_robot;
   const bool has_robot = scenario.plant == Plant::kMujoco;
   std::ostringstream xml;
@@ -112,8 +112,9 @@ MjModelPtr CompileWorld(const Scenario& scenario, Looks looks) {
     xml << CentroidalStandIn(robot);
   }
   xml << "</mujoco>";
-  MjModelPtr model = CompileMjcf(xml.str(), has_robot ? MjcfOf(robot, looks) : std::string(),
-                                 has_robot ? ModelFile(robot) : robot.file);
+  MjModelPtr model =
+      CompileMjcf(xml.str(), has_robot ? RequireModel(robot).mjcf(detail) : std::string(),
+                  has_robot ? robot.model->file : robot.file);
   SetFriction(scenario.world.friction, model.get());
   ScaleMasses(scenario.world.mass_scale, model.get());
   return model;

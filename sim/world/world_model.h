@@ -10,8 +10,8 @@ namespace sidestep {
 /// Compiles the world of `scenario`: the robot's MJCF on a floor with the scenario's friction,
 /// physics step and mass_scale. For the centroidal plant, which has no bodies, a stand-in to draw:
 /// a ball `com` and one body per foot, each with a free joint, so that qpos is what a recording
-/// holds. Without looks it is what physics needs: joints and qpos are the same.
+/// holds. Joints and qpos are the same at either detail.
 /// Throws ConfigError with MuJoCo's message if the robot's MJCF does not compile.
-MjModelPtr CompileWorld(const Scenario& scenario, Looks looks = Looks::kDrawn);
+MjModelPtr CompileWorld(const Scenario& scenario, ModelDetail detail = ModelDetail::kDrawn);
 
 }  // namespace sidestep

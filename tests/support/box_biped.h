@@ -103,7 +103,7 @@ inline RobotDescription BoxBiped(const TempFolder& folder) {
   RobotDescription robot;
   robot.name = "box_biped";
   robot.file = "box_biped/robot.yaml";
-  robot.mjcf = folder.Write("box_biped.xml", internal::BoxBipedMjcf());
+  robot.model = ReadMjcfModel(folder.Write("box_biped.xml", internal::BoxBipedMjcf()));
   robot.base = "pelvis";
   robot.imu = "imu";
   robot.base_height_m = 0.05 + 0.4 * std::cos(0.3);

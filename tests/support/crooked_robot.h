@@ -45,7 +45,7 @@ inline constexpr char kCrookedMjcf[] = R"(<mujoco model="crooked">
 inline RobotDescription CrookedRobot(const TempFolder& folder) {
   RobotDescription robot;
   robot.name = "crooked";
-  robot.mjcf = folder.Write("crooked.xml", kCrookedMjcf);
+  robot.model = ReadMjcfModel(folder.Write("crooked.xml", kCrookedMjcf));
   robot.base = "base";
   robot.imu = "imu";
   robot.com_height_m = 0.9;

@@ -16,8 +16,8 @@ namespace sidestep {
 class ReferenceRobot {
  public:
   explicit ReferenceRobot(const RobotDescription& robot)
-      : model_(CompileMjcf("<mujoco><include file=\"robot.xml\"/></mujoco>", MjcfOf(robot),
-                           ModelFile(robot))),
+      : model_(CompileMjcf("<mujoco><include file=\"robot.xml\"/></mujoco>",
+                           RequireModel(robot).drawn_mjcf, robot.model->file)),
         data_(MakeData(*model_)) {}
 
   const mjModel* model() const { return model_.get(); }

@@ -41,7 +41,7 @@ void Print(const RobotDescription& robot) {
   std::printf("%s\n", robot.name.c_str());
   std::printf("  file    %s\n", robot.file.c_str());
   std::printf("  model   %s\n",
-              HasModel(robot) ? ModelFile(robot).c_str() : "none: for the centroidal plant only");
+              robot.model ? robot.model->file.c_str() : "none: for the centroidal plant only");
   std::printf("  feet    %s\n", Listed(feet).c_str());
   std::printf("  bodies  %s\n", Listed(names.bodies).c_str());
   std::printf("  frames  %s\n", Listed(names.frames).c_str());
@@ -53,7 +53,7 @@ void SaveMjcf(const RobotDescription& robot, const std::filesystem::path& file) 
   scenario.name = robot.name;
   scenario.robot = robot.name;
   scenario.description_of_robot = robot;
-  if (!HasModel(robot)) scenario.plant = Plant::kCentroidal;
+  if (!robot.model) scenario.plant = Plant::kCentroidal;
   const MjModelPtr model = CompileWorld(scenario);
   WriteTextFile(file, "");  // makes its folder, or says why not
   std::array<char, 1000> error{};

@@ -295,7 +295,11 @@ TEST(RigidBodyHopperTest, NamesThatTheMjcfLacksAreConfigErrors) {
             "error: the robot's MJCF has no site called 'gyroscope'");
   EXPECT_EQ(error_of([](RobotDescription& robot) { robot.feet[0].frame = "toe"; }),
             "error: the robot's MJCF has no site called 'toe'");
-  EXPECT_NE(error_of([](RobotDescription& robot) { robot.mjcf = "/nowhere.xml"; }), "no error");
+  EXPECT_EQ(error_of([](RobotDescription& robot) {
+              robot.file = "toy/robot.yaml";
+              robot.model.reset();
+            }),
+            "toy/robot.yaml: error: needs an mjcf or a urdf");
 }
 
 }  // namespace

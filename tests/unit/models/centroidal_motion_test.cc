@@ -26,7 +26,7 @@ class CentroidalMotionTest : public testing::TestWithParam<const char*> {
   static constexpr mjtNum kAxis[3] = {0.6, 0.0, 0.8};
   const RobotDescription robot_{
       ReadRobotDescription(FindRobot(GetParam(), std::filesystem::path(SIDESTEP_SOURCE_DIR)))};
-  const MjModelPtr model_{CompileMjcf(MjcfOf(robot_), "", ModelFile(robot_))};
+  const MjModelPtr model_{CompileMjcf(robot_.model->drawn_mjcf, "", robot_.model->file)};
   const MjDataPtr data_{MakeData(*model_)};
 };
 

@@ -32,8 +32,8 @@ class HomePoseTest : public testing::Test {
 
   TempFolder folder_;
   RobotDescription robot_{CrookedRobot(folder_)};
-  MjModelPtr model_{
-      CompileMjcf("<mujoco><include file=\"robot.xml\"/></mujoco>", MjcfOf(robot_), robot_.mjcf)};
+  MjModelPtr model_{CompileMjcf("<mujoco><include file=\"robot.xml\"/></mujoco>",
+                                robot_.model->drawn_mjcf, robot_.model->file)};
   MjDataPtr data_{MakeData(*model_)};
 };
 

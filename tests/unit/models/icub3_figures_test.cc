@@ -28,7 +28,7 @@ class Icub3FiguresTest : public testing::Test {
  protected:
   Icub3FiguresTest()
       : robot_(ReadRobotDescription(kSource / "models/icub3/robot.yaml")),
-        model_(CompileMjcf(MjcfOf(robot_), "", robot_.urdf)),
+        model_(CompileMjcf(robot_.model->drawn_mjcf, "", robot_.model->file)),
         data_(MakeData(*model_)) {
     mju_zero(data_->qpos, model_->nq);
     data_->qpos[3] = 1.0;

@@ -18,7 +18,10 @@ TEST(RobotDescriptionTest, ReadsARobotWithAnMjcf) {
   const RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
   EXPECT_EQ(robot.name, "mini");
   EXPECT_EQ(robot.file, kRobots / "mini/robot.yaml");
-  EXPECT_EQ(robot.mjcf, kRobots / "mini/mini.xml");
+  ASSERT_TRUE(robot.model);
+  EXPECT_EQ(robot.model->language, ModelLanguage::kMjcf);
+  EXPECT_EQ(robot.model->file, kRobots / "mini/mini.xml");
+  EXPECT_EQ(robot.model->simulated_mjcf, robot.model->drawn_mjcf) << "an MJCF is taken as it is";
   EXPECT_EQ(robot.mass_kg, 0.0);
   EXPECT_EQ(robot.base, "trunk");
   EXPECT_EQ(robot.imu, "imu");
@@ -34,7 +37,7 @@ TEST(RobotDescriptionTest, ReadsARobotWithAnMjcf) {
 
 TEST(RobotDescriptionTest, ReadsARobotOfTheCentroidalPlant) {
   const RobotDescription robot = ReadRobotDescription(kRobots / "walker/robot.yaml");
-  EXPECT_TRUE(robot.mjcf.empty());
+  EXPECT_FALSE(robot.model);
   EXPECT_EQ(robot.mass_kg, 30.0);
   ASSERT_EQ(robot.feet.size(), 2U);
   EXPECT_EQ(robot.feet[1].name, "right");
@@ -177,12 +180,20 @@ TEST_F(RobotErrorTest, Mjcf) {
             "mini.xml:6:1: error: XML Error: problem reading attribute 'mass'; Element 'geom'");
 }
 
-TEST_F(RobotErrorTest, NamesInTellsAnMjcfThatVanished) {
-  RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
-  robot.mjcf = folder_.path() / "gone.xml";
-  EXPECT_EQ(folder_.ErrorOf([&] { NamesIn(robot); }),
-            "gone.xml: error: XML parse error 3; Error=XML_ERROR_FILE_NOT_FOUND ErrorID=3 (0x3): "
-            "filename=gone.xml");
+TEST_F(RobotErrorTest, AnMjcfThatVanishedCantBeRead) {
+  EXPECT_EQ(folder_.ErrorOf([&] { ReadMjcfModel(folder_.path() / "gone.xml"); }),
+            "gone.xml: error: can't be read");
+}
+
+TEST_F(RobotErrorTest, AnMjcfIsReadOnceAndItsFileNeededNoMore) {
+  const std::filesystem::path mjcf =
+      folder_.Write("mini.xml", ReadConfigText(kRobots / "mini/mini.xml"));
+  const RobotDescription robot = ReadRobotDescription(
+      folder_.Write("robot.yaml", ReadConfigText(kRobots / "mini/robot.yaml")));
+  const std::vector<std::string> bodies = NamesIn(robot).bodies;
+  std::filesystem::remove(mjcf);
+  EXPECT_FALSE(bodies.empty());
+  EXPECT_EQ(NamesIn(robot).bodies, bodies);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class RobotOnFloor {
         model_(CompileMjcf(R"(<mujoco><option timestep="0.001"/><worldbody>
               <geom name="floor" type="plane" size="0 0 1" contype="1" conaffinity="1"/>
               </worldbody><include file="robot.xml"/></mujoco>)",
-                           MjcfOf(robot), ModelFile(robot))),
+                           RequireModel(robot).drawn_mjcf, robot.model->file)),
         data_(MakeData(*model_)) {
     PlaceAtHome(*model_, robot, data_.get());
     home_.assign(data_->qpos, data_->qpos + model_->nq);

@@ -16,10 +16,9 @@ const std::filesystem::path kMini =
 
 TEST(UrdfRobotTest, EveryKeyIsRead) {
   const RobotDescription robot = ReadRobotDescription(kMini / "robot.yaml");
-  EXPECT_TRUE(HasModel(robot));
-  EXPECT_TRUE(robot.mjcf.empty());
-  EXPECT_EQ(robot.urdf, kMini / "mini.urdf");
-  EXPECT_EQ(ModelFile(robot), robot.urdf);
+  ASSERT_TRUE(robot.model);
+  EXPECT_EQ(robot.model->language, ModelLanguage::kUrdf);
+  EXPECT_EQ(robot.model->file, kMini / "mini.urdf");
   EXPECT_EQ(robot.base, "trunk");
   EXPECT_EQ(robot.imu, "imu");
   EXPECT_EQ(robot.torso, "imu");

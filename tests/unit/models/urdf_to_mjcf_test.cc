@@ -33,7 +33,7 @@ class UrdfToMjcfTest : public testing::Test {
   }
 
   const RobotDescription robot_{ReadRobotDescription(kMini / "robot.yaml")};
-  const MjModelPtr model_{CompileMjcf(MjcfOf(robot_), "", robot_.urdf)};
+  const MjModelPtr model_{CompileMjcf(robot_.model->drawn_mjcf, "", robot_.model->file)};
 };
 
 TEST_F(UrdfToMjcfTest, TheFirstLinkWithMassFloatsAndLinksAboveItAreItsFrames) {
@@ -123,7 +123,8 @@ TEST_F(UrdfToMjcfTest, SelfCollisionNamesPairsOfShapesWhereverTheyWent) {
 TEST_F(UrdfToMjcfTest, GroundPairsNameEveryShapeThatCollidesOnce) {
   const auto count = [&](const std::string& text) {
     std::size_t found = 0;
-    for (std::size_t at = 0; (at = robot_.ground_pairs.find(text, at)) != std::string::npos; ++at) {
+    const std::string& pairs = robot_.model->ground_pairs;
+    for (std::size_t at = 0; (at = pairs.find(text, at)) != std::string::npos; ++at) {
       ++found;
     }
     return found;

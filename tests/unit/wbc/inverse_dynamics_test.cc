@@ -90,7 +90,7 @@ class InverseDynamicsTest : public testing::Test {
   /// Accelerations of MuJoCo's forward dynamics without ground.
   Eigen::VectorXd CarryOutInFlight() const {
     const MjModelPtr model = CompileMjcf("<mujoco><include file=\"robot.xml\"/></mujoco>",
-                                         ReadTextFile(robot_.mjcf), robot_.mjcf);
+                                         robot_.model->simulated_mjcf, robot_.model->file);
     const MjDataPtr data = MakeData(*model);
     Eigen::Map<Eigen::Vector3d>(data->qpos) = state_.p_WB;
     ToMuJoCo(state_.q_WB, data->qpos + 3);

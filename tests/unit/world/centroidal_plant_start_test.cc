@@ -55,7 +55,8 @@ TEST(CentroidalPlantStartTest, MassComesFromTheMjcfWhereTheRobotHasOne) {
   Scenario scenario = TwoFeetScenario();
   RobotDescription& robot = scenario.description_of_robot;
   robot.mass_kg = 0.0;
-  robot.mjcf = std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/hopper/hopper.xml";
+  robot.model =
+      ReadMjcfModel(std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/hopper/hopper.xml");
   const CentroidalWorld world(scenario);
   const MjModelPtr model = CompileWorld([&] {
     Scenario full = scenario;

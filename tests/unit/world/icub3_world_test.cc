@@ -120,9 +120,9 @@ std::vector<Contact> ContactsAt(const mjModel& model, const mjData& state, mjDat
 // Without torques it collapses: feet, knees, trunk and arms come to the ground, and to each other.
 TEST_F(Icub3WorldTest, ListedContactsAreThoseThatMuJoCosSearchFinds) {
   scenario_.world.friction = 0.37;
-  const MjModelPtr listed = CompileWorld(scenario_, Looks::kLeftOut);
-  scenario_.description_of_robot.ground_pairs.clear();
-  const MjModelPtr searched = CompileWorld(scenario_, Looks::kLeftOut);
+  const MjModelPtr listed = CompileWorld(scenario_, ModelDetail::kSimulated);
+  scenario_.description_of_robot.model->ground_pairs.clear();
+  const MjModelPtr searched = CompileWorld(scenario_, ModelDetail::kSimulated);
   EXPECT_EQ(listed->opt.collision, mjCOL_PAIR);
   EXPECT_EQ(searched->opt.collision, mjCOL_ALL);
   const MjDataPtr run = MakeData(*listed), found = MakeData(*listed),
