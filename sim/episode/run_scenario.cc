@@ -4,6 +4,8 @@
 #include <chrono>
 #include <memory>
 
+#include "sim/world/make_world.h"
+
 namespace sidestep {
 
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {

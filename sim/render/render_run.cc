@@ -17,7 +17,7 @@ struct LoadedRun {
 LoadedRun Load(const std::filesystem::path& run_dir) {
   const Scenario scenario = ReadScenario(run_dir / "scenario.yaml", {});
   LoadedRun run;
-  run.model = CompileWorld(scenario);
+  run.model = CompileDrawnWorld(scenario);
   run.recording = render::LoadRecording(run_dir, *run.model, scenario.description_of_robot.feet);
   return run;
 }

@@ -72,22 +72,22 @@ CentroidalState Advance(const CentroidalState& state, const CentroidalLoad& load
   return next;
 }
 
-CentroidalWorld::CentroidalWorld(const Scenario& scenario)
-    : feet_(scenario.description_of_robot.feet),
-      mass_kg_(scenario.world.mass_scale * NominalMass(scenario.description_of_robot)),
-      tick_s_(scenario.world.step_s),
-      friction_(scenario.world.friction),
-      pushes_(scenario.pushes, scenario.world.step_s) {
-  const RobotDescription& robot = scenario.description_of_robot;
+CentroidalWorld::CentroidalWorld(const RobotDescription& robot, double start_width_m,
+                                 const WorldParams& params, const std::vector<Push>& pushes)
+    : feet_(robot.feet),
+      mass_kg_(params.mass_scale * NominalMass(robot)),
+      tick_s_(params.step_s),
+      friction_(params.friction),
+      pushes_(pushes, params.step_s) {
   if (feet_.empty() || feet_.size() > 2) {
     throw ConfigError(robot.file.string() +
                       ": error: the centroidal plant takes a robot of one or two feet");
   }
-  for (const Push& push : scenario.pushes) pushed_foot_.push_back(PushedFoot(push, robot));
-  const double width_m = scenario.gait.empty() ? 0.0 : scenario.gait.front().step_width_m;
+  for (const Push& push : pushes) pushed_foot_.push_back(PushedFoot(push, robot));
   truth_.feet.resize(feet_.size());
   for (std::size_t i = 0; i < feet_.size(); ++i) {
-    truth_.feet[i].p_WF = {0.0, StartSide(i, feet_.size()) * 0.5 * width_m, feet_[i].sole_height_m};
+    truth_.feet[i].p_WF = {0.0, StartSide(i, feet_.size()) * 0.5 * start_width_m,
+                           feet_[i].sole_height_m};
     truth_.feet[i].in_contact = true;
     vertex_force_N_.push_back(Eigen::Matrix3Xd::Zero(3, feet_[i].vertices_m.cols()));
   }

@@ -12,7 +12,6 @@
 // Pushes act on `com` or at a foot (its name or its frame).
 
 #include <Eigen/Core>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -46,13 +45,16 @@ struct CentroidalLoad {
 CentroidalState Advance(const CentroidalState& state, const CentroidalLoad& load, double mass_kg,
                         double dt_s);
 
-/// The plant. At the start the feet stand at y = +-step_width_m / 2 of the first gait (the first
-/// foot is the left one; a single foot is at 0) and the CoM rests at com_height_m above their mean.
+/// The plant. At the start the feet stand at y = +-start_width_m / 2 (the first foot is the left
+/// one; a single foot is at 0) and the CoM rests at com_height_m above their mean.
 class CentroidalWorld final : public World {
  public:
+  /// @param start_width_m  Between the feet at the start, along y (m).
+  /// @param params         Friction, length of a tick and what every mass is multiplied by.
   /// Throws ConfigError if a push names neither `com` nor a foot, or the robot has more than two
   /// feet or no mass.
-  explicit CentroidalWorld(const Scenario& scenario);
+  CentroidalWorld(const RobotDescription& robot, double start_width_m, const WorldParams& params,
+                  const std::vector<Push>& pushes);
 
   const WorldTruth& truth() const override { return truth_; }
   bool is_valid() const override { return invalid_reason_.empty(); }

@@ -35,14 +35,16 @@ Eigen::MatrixX2d MotorRanges(const mjModel& model) {
 
 }  // namespace
 
-MujocoWorld::MujocoWorld(const Scenario& scenario)
-    : model_(CompileWorld(scenario, ModelDetail::kSimulated)),
+MujocoWorld::MujocoWorld(const RobotDescription& robot, const WorldParams& params,
+                         const std::vector<Push>& pushes)
+    : model_(CompileRobotWorld(robot, params, ModelDetail::kSimulated)),
       data_(MakeData(*model_)),
-      pushes_(scenario.pushes, scenario.world.step_s),
+      pushes_(pushes, params.step_s),
       mass_kg_(mj_getTotalmass(model_.get())),
-      servos_(scenario.description_of_robot.joints, MotorRanges(*model_)) {
-  ResolveNames(scenario);
-  PlaceAtHome(*model_, scenario.description_of_robot, data_.get());
+      servos_(robot.joints, MotorRanges(*model_)) {
+  ResolveNames(robot);
+  ResolvePushes(pushes);
+  PlaceAtHome(*model_, robot, data_.get());
   mj_forward(model_.get(), data_.get());
   mj_step1(model_.get(), data_.get());
   ReadState();
@@ -53,8 +55,7 @@ int MujocoWorld::SensorAddress(const std::string& name) const {
   return model_->sensor_adr[RequireId(*model_, mjOBJ_SENSOR, name)];
 }
 
-void MujocoWorld::ResolveNames(const Scenario& scenario) {
-  const RobotDescription& robot = scenario.description_of_robot;
+void MujocoWorld::ResolveNames(const RobotDescription& robot) {
   base_body_ = RequireId(*model_, mjOBJ_BODY, robot.base);
   imu_ = {SensorAddress(robot.imu + "_orientation"), SensorAddress(robot.imu + "_gyro"),
           SensorAddress(robot.imu + "_accelerometer")};
@@ -64,7 +65,6 @@ void MujocoWorld::ResolveNames(const Scenario& scenario) {
   truth_.force_torque.resize(force_torque_.size());
   ResolveFeet(robot);
   ResolveJoints(robot);
-  ResolvePushes(scenario.pushes);
 }
 
 void MujocoWorld::ResolveFeet(const RobotDescription& robot) {

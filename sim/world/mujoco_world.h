@@ -21,9 +21,10 @@ namespace sidestep {
 
 class MujocoWorld final : public World {
  public:
-  /// Places the robot in its home posture. Throws ConfigError for names that the MJCF lacks, and
-  /// for servos that are not those of the MJCF's motors, in their order.
-  explicit MujocoWorld(const Scenario& scenario);
+  /// Places the robot in its home posture. Throws ConfigError for names that the MJCF lacks, for
+  /// a robot without one, and for servos that are not those of the MJCF's motors, in their order.
+  MujocoWorld(const RobotDescription& robot, const WorldParams& params,
+              const std::vector<Push>& pushes);
 
   const WorldTruth& truth() const override { return truth_; }
   bool is_valid() const override { return invalid_reason_.empty(); }
@@ -52,7 +53,7 @@ class MujocoWorld final : public World {
     int touch{-1};  ///< Address in sensordata; -1: it has force/torque sensors instead.
   };
 
-  void ResolveNames(const Scenario& scenario);
+  void ResolveNames(const RobotDescription& robot);
   void ResolveFeet(const RobotDescription& robot);
   void ResolveJoints(const RobotDescription& robot);
   void ResolvePushes(const std::vector<Push>& pushes);

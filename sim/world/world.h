@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,6 @@
 #include "controller/types/sensor_frame.h"
 #include "controller/types/tick.h"
 #include "controller/types/wrench.h"
-#include "sim/scenario/scenario.h"
 
 namespace sidestep {
 
@@ -93,8 +91,5 @@ class World {
   /// Advances by one tick under the last command and the pushes of `tick`.
   virtual void Step(Tick tick) = 0;
 };
-
-/// Makes the plant that the scenario asks for.
-std::unique_ptr<World> MakeWorld(const Scenario& scenario);
 
 }  // namespace sidestep

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/world_model.h"
 
+#include <filesystem>
 #include <sstream>
+#include <string>
 
 #include "models/mjcf/ground.h"
 
@@ -70,9 +72,9 @@ std::string CentroidalStandIn(const RobotDescription& robot) {
 
 // A URDF's shapes touch only what is listed, so its world names the pairs: MuJoCo's search for
 // others (a sweep over all bodies, sorted anew) takes a fifth of the iCub's step and finds none.
-void WriteListedContacts(const RobotDescription& robot, std::ostream& xml) {
-  if (robot.model->ground_pairs.empty()) return;
-  xml << "<option collision=\"predefined\"/><contact>" << robot.model->ground_pairs << "</contact>";
+std::string ListedContacts(const RobotModel& model) {
+  if (model.ground_pairs.empty()) return {};
+  return "<option collision=\"predefined\"/><contact>" + model.ground_pairs + "</contact>";
 }
 
 // Sliding friction of the ground with everything.
@@ -95,29 +97,46 @@ void ScaleMasses(double scale, mjModel* model) {
   mj_setConst(model, data.get());
 }
 
+/// What is written into a world's document beside its surroundings.
+struct Inhabitant {
+  std::string xml;             ///< May include robot.xml.
+  std::string robot_xml;       ///< Text of robot.xml; empty: none is included.
+  std::filesystem::path file;  ///< Named where it does not compile.
+};
+
+MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
+                   const WorldParams& params) {
+  std::ostringstream xml;
+  xml << "<mujoco model=\"" << name << "_world\">"
+      << "<option timestep=\"" << params.step_s << "\" integrator=\"Euler\"/>" << Surroundings();
+  WriteGround(xml);
+  xml << inhabitant.xml << "</mujoco>";
+  MjModelPtr model = CompileMjcf(xml.str(), inhabitant.robot_xml, inhabitant.file);
+  SetFriction(params.friction, model.get());
+  ScaleMasses(params.mass_scale, model.get());
+  return model;
+}
+
 }  // namespace
 
-MjModelPtr CompileWorld(const Scenario& scenario, ModelDetail detail) {
+MjModelPtr CompileRobotWorld(const RobotDescription& robot, const WorldParams& params,
+                             ModelDetail detail) {
+  const RobotModel& model = RequireModel(robot);
+  return Compile(
+      robot.name,
+      {"<include file=\"robot.xml\"/>" + ListedContacts(model), model.mjcf(detail), model.file},
+      params);
+}
+
+MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldParams& params) {
+  return Compile(robot.name, {CentroidalStandIn(robot), "", robot.file}, params);
+}
+
+MjModelPtr CompileDrawnWorld(const Scenario& scenario) {
   const RobotDescription& robot = scenario.description_of_robot;
-  const bool has_robot = scenario.plant == Plant::kMujoco;
-  std::ostringstream xml;
-  xml << "<mujoco model=\"" << robot.name << "_world\">"
-      << "<option timestep=\"" << scenario.world.step_s << "\" integrator=\"Euler\"/>"
-      << Surroundings();
-  WriteGround(xml);
-  if (has_robot) {
-    xml << "<include file=\"robot.xml\"/>";
-    WriteListedContacts(robot, xml);
-  } else {
-    xml << CentroidalStandIn(robot);
-  }
-  xml << "</mujoco>";
-  MjModelPtr model =
-      CompileMjcf(xml.str(), has_robot ? RequireModel(robot).mjcf(detail) : std::string(),
-                  has_robot ? robot.model->file : robot.file);
-  SetFriction(scenario.world.friction, model.get());
-  ScaleMasses(scenario.world.mass_scale, model.get());
-  return model;
+  return scenario.plant == Plant::kCentroidal
+             ? CompileCentroidalStandIn(robot, scenario.world)
+             : CompileRobotWorld(robot, scenario.world, ModelDetail::kDrawn);
 }
 
 }  // namespace sidestep

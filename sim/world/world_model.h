@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// world_model: the mjModel of a scenario's world: robot, floor, light and sky.
+// world_model: the mjModel of a world: robot, floor, light and sky.
 
 #include "models/mjcf/mjcf.h"
 #include "sim/scenario/scenario.h"
 
 namespace sidestep {
 
-/// Compiles the world of `scenario`: the robot's MJCF on a floor with the scenario's friction,
-/// physics step and mass_scale. For the centroidal plant, which has no bodies, a stand-in to draw:
-/// a ball `com` and one body per foot, each with a free joint, so that qpos is what a recording
-/// holds. Joints and qpos are the same at either detail.
-/// Throws ConfigError with MuJoCo's message if the robot's MJCF does not compile.
-MjModelPtr CompileWorld(const Scenario& scenario, ModelDetail detail = ModelDetail::kDrawn);
+/// Compiles a robot's MJCF on a floor with the friction, physics step and mass_scale of `params`.
+/// Joints and qpos are the same at either detail.
+/// Throws ConfigError with MuJoCo's message if the MJCF does not compile, or if there is none.
+MjModelPtr CompileRobotWorld(const RobotDescription& robot, const WorldParams& params,
+                             ModelDetail detail);
+
+/// For the centroidal plant, which has no bodies, a stand-in to draw: a ball `com` and one body per
+/// foot, each with a free joint, so that qpos is what a recording holds.
+MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldParams& params);
+
+/// What a recording of `scenario` is drawn with: the one or the other, by its plant.
+MjModelPtr CompileDrawnWorld(const Scenario& scenario);
 
 }  // namespace sidestep

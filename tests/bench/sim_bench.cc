@@ -19,6 +19,7 @@
 #include "sim/render/render_run.h"
 #include "sim/scenario/read_scenario.h"
 #include "sim/sensors/sensor_suite.h"
+#include "sim/world/make_world.h"
 
 namespace sidestep {
 namespace {

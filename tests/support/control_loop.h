@@ -5,6 +5,7 @@
 #include "controller/locomotion_controller.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sensors/sensor_suite.h"
+#include "sim/world/make_world.h"
 #include "sim/world/mujoco_world.h"
 
 namespace sidestep {
@@ -15,7 +16,7 @@ template <typename Look>
 void RunControlLoop(const Scenario& scenario, double duration_s, Look&& look) {
   const double tick_s = scenario.world.step_s;
   const Tick control_period = TickAt(1.0 / scenario.control.rate_hz, tick_s);
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   SensorSuite sensors(scenario, world.mass_kg());
   StageTimer timer;
   LocomotionController controller({scenario.description_of_robot, scenario.control, scenario.gait,

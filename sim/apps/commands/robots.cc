@@ -49,12 +49,9 @@ void Print(const RobotDescription& robot) {
 
 // The world as a scenario with only defaults compiles it: robot, floor, light.
 void SaveMjcf(const RobotDescription& robot, const std::filesystem::path& file) {
-  Scenario scenario;
-  scenario.name = robot.name;
-  scenario.robot = robot.name;
-  scenario.description_of_robot = robot;
-  if (!robot.model) scenario.plant = Plant::kCentroidal;
-  const MjModelPtr model = CompileWorld(scenario);
+  const MjModelPtr model = robot.model
+                               ? CompileRobotWorld(robot, WorldParams{}, ModelDetail::kDrawn)
+                               : CompileCentroidalStandIn(robot, WorldParams{});
   WriteTextFile(file, "");  // makes its folder, or says why not
   std::array<char, 1000> error{};
   if (mj_saveLastXML(file.c_str(), model.get(), error.data(), static_cast<int>(error.size())) ==

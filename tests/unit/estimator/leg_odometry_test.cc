@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "sim/world/make_world.h"
 #include "tests/support/control_loop.h"
 #include "tests/support/hopper_scenario.h"
 
@@ -138,7 +139,7 @@ struct Errors {
 TEST(LegOdometryOnMujocoTest, TumblingFreelyItFollowsThePerfectSensors) {
   Scenario scenario = PlainHopper(10.0);
   scenario.pushes = {TrunkPush({2.0, 1.0, 0.0}, 0.0, 0.1, {0.1, 0.1, 0.2})};
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   SensorSuite sensors(scenario, world.mass_kg());
   RigidBody body(scenario.description_of_robot);
   LegOdometry odometry(scenario.description_of_robot, scenario.control.estimation, kTick_s, &body);

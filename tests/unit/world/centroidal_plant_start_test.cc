@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/centroidal_world.h"
+#include "sim/world/make_world.h"
 #include "sim/world/world_model.h"
 #include "tests/unit/world/centroidal_test_support.h"
 
@@ -10,7 +11,7 @@ namespace sidestep::centroidal_plant_start_test {
 namespace {
 
 TEST(CentroidalPlantStartTest, LeftFootIsFirstAndComRestsAboveTheMean) {
-  const CentroidalWorld world(TwoFeetScenario());
+  const CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   const WorldTruth& truth = world.truth();
   EXPECT_EQ(truth.feet[0].p_WF, Eigen::Vector3d(0.0, 0.1, 0.0));
   EXPECT_EQ(truth.feet[1].p_WF, Eigen::Vector3d(0.0, -0.1, 0.0));
@@ -22,20 +23,20 @@ TEST(CentroidalPlantStartTest, LeftFootIsFirstAndComRestsAboveTheMean) {
 TEST(CentroidalPlantStartTest, SingleFootStandsBelowTheCom) {
   Scenario scenario = TwoFeetScenario();
   scenario.description_of_robot.feet.pop_back();
-  const CentroidalWorld world(scenario);
+  const CentroidalWorld world = MakeCentroidalWorld(scenario);
   EXPECT_EQ(world.truth().feet[0].p_WF, Eigen::Vector3d::Zero());
 }
 
 TEST(CentroidalPlantStartTest, RecordedPositionsMoveTheStandInsBodies) {
   const Scenario scenario = TwoFeetScenario();
-  CentroidalWorld world(scenario);
+  CentroidalWorld world = MakeCentroidalWorld(scenario);
   ActuatorCommand command;
   command.centroidal_feet.resize(2);
   command.centroidal_feet[1].p_WF = {0.3, -0.2, 0.04};
   world.Apply(command);
   for (Tick tick = 0; tick < 10; ++tick) world.Step(tick);
 
-  const MjModelPtr model = CompileWorld(scenario);
+  const MjModelPtr model = CompileDrawnWorld(scenario);
   const MjDataPtr data = MakeData(*model);
   const WorldTruth& truth = world.truth();
   ASSERT_EQ(truth.qpos.size(), model->nq);
@@ -57,12 +58,8 @@ TEST(CentroidalPlantStartTest, MassComesFromTheMjcfWhereTheRobotHasOne) {
   robot.mass_kg = 0.0;
   robot.model =
       ReadMjcfModel(std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/hopper/hopper.xml");
-  const CentroidalWorld world(scenario);
-  const MjModelPtr model = CompileWorld([&] {
-    Scenario full = scenario;
-    full.plant = Plant::kMujoco;
-    return full;
-  }());
+  const CentroidalWorld world = MakeCentroidalWorld(scenario);
+  const MjModelPtr model = CompileRobotWorld(robot, scenario.world, ModelDetail::kSimulated);
   EXPECT_GT(world.mass_kg(), 0.1);
   EXPECT_NEAR(world.mass_kg(), mj_getTotalmass(model.get()), 1e-12);
 }

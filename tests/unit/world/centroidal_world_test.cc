@@ -5,6 +5,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/require.h"
+#include "sim/world/make_world.h"
 #include "tests/unit/world/centroidal_test_support.h"
 
 namespace sidestep::centroidal_world_test {
@@ -29,7 +30,7 @@ void StepTo(CentroidalWorld& world, Tick end) {
 }
 
 TEST(CentroidalWorldTest, FallsByTheLawWithoutForces) {
-  CentroidalWorld world(TwoFeetScenario());
+  CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   world.Apply({});
   StepTo(world, 300);
   EXPECT_NEAR(world.truth().p_WC.z(), 0.5 - 0.5 * kGravity_mps2 * 0.09, kRoundOff);
@@ -45,7 +46,7 @@ TEST(CentroidalWorldTest, FlightKeepsHorizontalAndAngularMomentum) {
   push.point_m = {0.0, 0.0, 0.3};
   push.duration_s = 0.05;
   scenario.pushes = {push};
-  CentroidalWorld world(scenario);
+  CentroidalWorld world = MakeCentroidalWorld(scenario);
   StepTo(world, 50);
   const WorldTruth after_push = world.truth();
   EXPECT_GT(after_push.angular_momentum.norm(), 0.1);
@@ -92,7 +93,7 @@ TEST(CentroidalWorldTest, SideForceBelowComRollsIt) {
 }
 
 TEST(CentroidalWorldTest, StandsWhileTheFeetCarryTheWeight) {
-  CentroidalWorld world(TwoFeetScenario());
+  CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   world.Apply(Standing(world, 2.0 * kGravity_mps2));
   StepTo(world, 500);
   EXPECT_LT((world.truth().p_WC - Eigen::Vector3d(0.0, 0.0, 0.5)).norm(), kRoundOff);
@@ -108,7 +109,7 @@ TEST(CentroidalWorldTest, PushImpulseOverMassIsTheVelocityGained) {
   push.start_s = 0.1;
   push.duration_s = 0.2;
   scenario.pushes = {push};
-  CentroidalWorld world(scenario);
+  CentroidalWorld world = MakeCentroidalWorld(scenario);
   world.Apply(Standing(world, 2.0 * kGravity_mps2));
   StepTo(world, 100);
   EXPECT_EQ(world.truth().v_WC.y(), 0.0);
@@ -125,7 +126,7 @@ TEST(CentroidalWorldTest, PushAtAFootTurnsTheBody) {
   push.force_N = {1.0, 0.0, 0.0};
   push.duration_s = 0.001;
   scenario.pushes = {push};
-  CentroidalWorld world(scenario);
+  CentroidalWorld world = MakeCentroidalWorld(scenario);
   world.Apply(Standing(world, 2.0 * kGravity_mps2));
   world.Step(0);
   // By hand: lever (0, 0.1, -0.5) x (1, 0, 0) = (0, -0.5, -0.1) N m, for one millisecond. Within
@@ -143,7 +144,7 @@ TEST(CentroidalWorldTest, FloorShortensATangentialForceToItsCone) {
 }
 
 TEST(CentroidalWorldTest, PlantAppliesWhatTheFloorGivesAndReportsIt) {
-  CentroidalWorld world(TwoFeetScenario());
+  CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   ActuatorCommand command = Standing(world, 16.0);
   command.centroidal_feet[1].force_N.row(0).setConstant(100.0);
   world.Apply(command);
@@ -153,7 +154,7 @@ TEST(CentroidalWorldTest, PlantAppliesWhatTheFloorGivesAndReportsIt) {
 }
 
 TEST(CentroidalWorldTest, StandingFootStaysWhereItLandedWhateverTheCommandSays) {
-  CentroidalWorld world(TwoFeetScenario());
+  CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   ActuatorCommand command = Standing(world, 16.0);
   command.centroidal_feet[0].in_contact = false;
   command.centroidal_feet[0].p_WF = {0.3, 0.1, 0.05};
@@ -172,7 +173,7 @@ TEST(CentroidalWorldTest, StandingFootStaysWhereItLandedWhateverTheCommandSays) 
 }
 
 TEST(CentroidalWorldTest, ForceThatIsNoNumberEndsTheRun) {
-  CentroidalWorld world(TwoFeetScenario());
+  CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   ActuatorCommand command = Standing(world, 16.0);
   command.centroidal_feet[0].force_N(2, 0) = std::numeric_limits<double>::quiet_NaN();
   world.Apply(command);
@@ -182,7 +183,7 @@ TEST(CentroidalWorldTest, ForceThatIsNoNumberEndsTheRun) {
 }
 
 TEST(CentroidalWorldTest, CommandOfAnotherShapeIsRefused) {
-  CentroidalWorld world(TwoFeetScenario());
+  CentroidalWorld world = MakeCentroidalWorld(TwoFeetScenario());
   ActuatorCommand command = Standing(world, 16.0);
   command.centroidal_feet[0].force_N.setZero(3, 3);
   EXPECT_THROW(world.Apply(command), ContractViolation);
@@ -194,7 +195,7 @@ TEST(CentroidalWorldTest, UnknownBodyOfAPushIsAUsersMistake) {
   Scenario scenario = TwoFeetScenario();
   scenario.pushes.resize(1);
   scenario.pushes[0].body = "elbow";
-  EXPECT_THROW(CentroidalWorld{scenario}, ConfigError);
+  EXPECT_THROW(MakeCentroidalWorld(scenario), ConfigError);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/support/config_error.h"
+#include "sim/world/make_world.h"
 #include "sim/world/mujoco_world.h"
 #include "tests/support/box_biped.h"
 
@@ -44,7 +45,7 @@ class HumanoidWorldTest : public testing::Test {
  protected:
   /// After `ticks` on servos whose references were given once, at the start.
   MujocoWorld Standing(Tick ticks) const {
-    MujocoWorld world(scenario_);
+    MujocoWorld world = MakeMujocoWorld(scenario_);
     world.Apply(Home(scenario_.description_of_robot));
     StepTo(ticks, &world);
     return world;
@@ -140,7 +141,7 @@ TEST_F(HumanoidWorldTest, PushForwardMovesTheCentreOfPressureForward) {
 TEST_F(HumanoidWorldTest, GroundWrenchTurnsTheCom) {
   // Dropped from 20 mm, pushed: momentum about the CoM is what the feet's wrenches make of it.
   scenario_.description_of_robot.base_height_m += 0.02;
-  MujocoWorld world(scenario_);
+  MujocoWorld world = MakeMujocoWorld(scenario_);
   world.Apply(Home(scenario_.description_of_robot, 8, 0.1));
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
   for (Tick tick = 0; tick < 200; ++tick) {
@@ -167,7 +168,7 @@ TEST_F(HumanoidWorldTest, ImuMaySitOnAnotherBodyThanTheBase) {
 
 TEST_F(HumanoidWorldTest, ServosActAtEveryPhysicsStepOnTheReferencesTheyHold) {
   scenario_.description_of_robot.base_height_m = kHigh_m;
-  MujocoWorld world(scenario_);
+  MujocoWorld world = MakeMujocoWorld(scenario_);
   world.Apply(Home(scenario_.description_of_robot, 0, 0.2));
   world.Step(0);
   EXPECT_NEAR(world.truth().joint_torque_Nm[0], 60.0, 1e-9) << "400 x 0.2 is beyond the motor";
@@ -183,7 +184,7 @@ TEST_F(HumanoidWorldTest, ServosActAtEveryPhysicsStepOnTheReferencesTheyHold) {
 }
 
 TEST_F(HumanoidWorldTest, JointsTellTheirBounds) {
-  const MujocoWorld world(scenario_);
+  const MujocoWorld world = MakeMujocoWorld(scenario_);
   ASSERT_EQ(world.joints().size(), 12U);
   EXPECT_EQ(world.joints()[0].name, "shoulder");
   EXPECT_EQ(world.joints()[4].name, "l_knee");
@@ -197,7 +198,7 @@ TEST_F(HumanoidWorldTest, LegsInEachOtherTellTheirDepth) {
   RobotDescription& robot = scenario_.description_of_robot;
   robot.base_height_m = kHigh_m;
   robot.home = {{"l_hip_roll", -0.15}, {"r_hip_roll", 0.15}};
-  MujocoWorld world(scenario_);
+  MujocoWorld world = MakeMujocoWorld(scenario_);
   world.Step(0);
   // By hand: the lower ends of the shanks' axes, 0.35 m below the hips, are 2 (0.07 - 0.35 sin
   // 0.15) apart and the capsules' radii 0.03.
@@ -215,7 +216,7 @@ TEST_F(HumanoidWorldTest, HeavierPlantIsHeavierInEveryPart) {
   scenario_.pushes = {push};
   const auto motion = [&](double scale) {
     scenario_.world.mass_scale = scale;
-    MujocoWorld world(scenario_);
+    MujocoWorld world = MakeMujocoWorld(scenario_);
     EXPECT_NEAR(world.mass_kg(), scale * kMass_kg, 1e-9);
     StepTo(100, &world);
     return std::pair(world.truth().v_WC.y(), world.truth().angular_momentum.norm());
@@ -241,7 +242,7 @@ TEST_F(HumanoidWorldTest, HeavierPlantStandsOnMoreTorque) {
 TEST_F(HumanoidWorldTest, ServosMustBeThoseOfTheMotors) {
   std::swap(scenario_.description_of_robot.joints[1], scenario_.description_of_robot.joints[3]);
   try {
-    const MujocoWorld world(scenario_);
+    const MujocoWorld world = MakeMujocoWorld(scenario_);
     ADD_FAILURE() << "no error";
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(),
@@ -253,7 +254,7 @@ TEST_F(HumanoidWorldTest, ServosMustBeThoseOfTheMotors) {
 TEST_F(HumanoidWorldTest, SensorThatTheMjcfLacksIsAConfigError) {
   scenario_.description_of_robot.force_torque[0] = "l_arm_ft";
   try {
-    const MujocoWorld world(scenario_);
+    const MujocoWorld world = MakeMujocoWorld(scenario_);
     ADD_FAILURE() << "no error";
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(), "error: the robot's MJCF has no sensor called 'l_arm_ft_force'");

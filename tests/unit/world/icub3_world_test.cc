@@ -9,6 +9,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/home_pose.h"
 #include "sim/scenario/read_scenario.h"
+#include "sim/world/make_world.h"
 #include "sim/world/mujoco_world.h"
 #include "sim/world/world_model.h"
 #include "tests/support/temp_folder.h"
@@ -32,7 +33,7 @@ class Icub3WorldTest : public testing::Test {
         command.joint_position[static_cast<Eigen::Index>(i)] = home->second;
       }
     }
-    MujocoWorld world(scenario_);
+    MujocoWorld world = MakeMujocoWorld(scenario_);
     world.Apply(command);
     for (Tick tick = 0; tick < 1000; ++tick) world.Step(tick);
     return world;
@@ -44,7 +45,7 @@ class Icub3WorldTest : public testing::Test {
     const auto& names = scenario_.description_of_robot.force_torque;
     const auto at =
         static_cast<std::size_t>(std::find(names.begin(), names.end(), sensor) - names.begin());
-    const MjModelPtr model = CompileWorld(scenario_);
+    const MjModelPtr model = CompileDrawnWorld(scenario_);
     const MjDataPtr data = MakeData(*model);
     mju_copy(data->qpos, truth.qpos.data(), model->nq);
     mj_kinematics(model.get(), data.get());
@@ -120,9 +121,11 @@ std::vector<Contact> ContactsAt(const mjModel& model, const mjData& state, mjDat
 // Without torques it collapses: feet, knees, trunk and arms come to the ground, and to each other.
 TEST_F(Icub3WorldTest, ListedContactsAreThoseThatMuJoCosSearchFinds) {
   scenario_.world.friction = 0.37;
-  const MjModelPtr listed = CompileWorld(scenario_, ModelDetail::kSimulated);
+  const MjModelPtr listed =
+      CompileRobotWorld(scenario_.description_of_robot, scenario_.world, ModelDetail::kSimulated);
   scenario_.description_of_robot.model->ground_pairs.clear();
-  const MjModelPtr searched = CompileWorld(scenario_, ModelDetail::kSimulated);
+  const MjModelPtr searched =
+      CompileRobotWorld(scenario_.description_of_robot, scenario_.world, ModelDetail::kSimulated);
   EXPECT_EQ(listed->opt.collision, mjCOL_PAIR);
   EXPECT_EQ(searched->opt.collision, mjCOL_ALL);
   const MjDataPtr run = MakeData(*listed), found = MakeData(*listed),

@@ -10,6 +10,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/require.h"
+#include "sim/world/make_world.h"
 #include "tests/support/hopper_scenario.h"
 #include "tests/support/temp_folder.h"
 
@@ -44,7 +45,7 @@ void RunStanding(MujocoWorld* world, Tick from, Tick to) {
 }
 
 TEST(MujocoWorldTest, StartsAtHomeInStepWithItself) {
-  const MujocoWorld world(PlainHopper());
+  const MujocoWorld world = MakeMujocoWorld(PlainHopper());
   const WorldTruth& truth = world.truth();
   EXPECT_TRUE(world.is_valid());
   EXPECT_NEAR(world.mass_kg(), 1.0, 1e-12);
@@ -60,7 +61,7 @@ TEST(MujocoWorldTest, StartsAtHomeInStepWithItself) {
 }
 
 TEST(MujocoWorldTest, InFlightTheComFallsFreely) {
-  MujocoWorld world(PlainHopper(kHigh_m));
+  MujocoWorld world = MakeMujocoWorld(PlainHopper(kHigh_m));
   const Eigen::Vector3d start = world.truth().p_WC;
   world.Apply(Torque(0.5, -0.4, 3.0));  // inner forces move no CoM
   StepFrom(&world, 0, 300);
@@ -74,7 +75,7 @@ TEST(MujocoWorldTest, InFlightTheComFallsFreely) {
 TEST(MujocoWorldTest, PushThroughTheTrunkInFlightGivesImpulseOverMass) {
   Scenario scenario = PlainHopper(kHigh_m);
   scenario.pushes = {TrunkPush({3.0, -4.0, 2.0}, 0.1, 0.2, kTrunkCom_m)};
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   StepFrom(&world, 0, 400);
   // J / m = F dt with 1 kg, and gravity; the leg swings a little, see above.
   const Eigen::Vector3d expected =
@@ -87,7 +88,7 @@ TEST(MujocoWorldTest, PushErrorShrinksWithTheStep) {
     Scenario scenario = PlainHopper(kHigh_m);
     scenario.world.step_s = step_s;
     scenario.pushes = {TrunkPush({3.0, -4.0, 0.0}, 0.0, 0.2, kTrunkCom_m)};
-    MujocoWorld world(scenario);
+    MujocoWorld world = MakeMujocoWorld(scenario);
     StepFrom(&world, 0, TickAt(0.2, step_s));
     return (world.truth().v_WC - Eigen::Vector3d(0.6, -0.8, -kGravity_mps2 * 0.2)).norm();
   };
@@ -100,7 +101,7 @@ TEST(MujocoWorldTest, PushErrorShrinksWithTheStep) {
 TEST(MujocoWorldTest, PushesEnd) {
   Scenario scenario = PlainHopper(kHigh_m);
   scenario.pushes = {TrunkPush({5.0, 0.0, 0.0}, 0.05, 0.1, kTrunkCom_m)};
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   StepFrom(&world, 0, 149);
   EXPECT_EQ(world.truth().pushes[0].force_W_N, Eigen::Vector3d(5.0, 0.0, 0.0)) << "still acts";
   world.Step(149);
@@ -124,9 +125,9 @@ TEST(MujocoWorldTest, PushOffTheComTurnsTheRobotTheRightWay) {
   for (const Case& one : cases) {
     Scenario scenario = PlainHopper(kHigh_m);
     scenario.pushes = {TrunkPush(one.force_N, 0.0, 0.05, one.point_m)};
-    MujocoWorld pushed(scenario);
+    MujocoWorld pushed = MakeMujocoWorld(scenario);
     scenario.pushes = {TrunkPush(one.force_N, 0.0, 0.05, kTrunkCom_m)};
-    MujocoWorld centred(scenario);
+    MujocoWorld centred = MakeMujocoWorld(scenario);
     StepFrom(&pushed, 0, 50);
     StepFrom(&centred, 0, 50);
     const Eigen::Vector3d gained =
@@ -143,7 +144,7 @@ TEST(MujocoWorldTest, FrameMayBePushedLikeABody) {
   Push push = TrunkPush({0.0, 2.0, 0.0}, 0.0, 0.1, Eigen::Vector3d::Zero());
   push.body = "imu";
   scenario.pushes = {push};
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   EXPECT_LT((world.truth().pushes[0].p_W - Eigen::Vector3d(0.0, 0.0, kHigh_m + 0.03)).norm(),
             1e-12);
   StepFrom(&world, 0, 100);
@@ -151,7 +152,7 @@ TEST(MujocoWorldTest, FrameMayBePushedLikeABody) {
 }
 
 TEST(MujocoWorldTest, StandingFootCarriesTheWeight) {
-  MujocoWorld world(PlainHopper());
+  MujocoWorld world = MakeMujocoWorld(PlainHopper());
   RunStanding(&world, 0, 300);
   const FootTruth& foot = world.truth().feet[0];
   EXPECT_TRUE(foot.in_contact);
@@ -162,7 +163,7 @@ TEST(MujocoWorldTest, StandingFootCarriesTheWeight) {
 }
 
 TEST(MujocoWorldTest, ContactForceIsWhatMovesTheCom) {
-  MujocoWorld world(PlainHopper(0.6));  // drops 85 mm onto its leg
+  MujocoWorld world = MakeMujocoWorld(PlainHopper(0.6));  // drops 85 mm onto its leg
   bool touched = false;
   Eigen::Vector3d impulse_Ns = Eigen::Vector3d::Zero();
   const Eigen::Vector3d start = world.truth().v_WC;
@@ -179,7 +180,7 @@ TEST(MujocoWorldTest, ContactForceIsWhatMovesTheCom) {
 TEST(MujocoWorldTest, LimpHopperFallsUntilItsBodyTouchesTheGround) {
   Scenario scenario = PlainHopper();
   scenario.pushes = {TrunkPush({2.0, 0.0, 0.0}, 0.0, 0.1, kTrunkCom_m)};
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   EXPECT_FALSE(world.truth().body_touches_ground);
   Tick tick = 0;
   while (!world.truth().body_touches_ground && tick < 3000) world.Step(tick++);
@@ -190,7 +191,7 @@ TEST(MujocoWorldTest, LimpHopperFallsUntilItsBodyTouchesTheGround) {
 }
 
 TEST(MujocoWorldTest, RobotInTheAirTouchesNothing) {
-  MujocoWorld world(PlainHopper(kHigh_m));
+  MujocoWorld world = MakeMujocoWorld(PlainHopper(kHigh_m));
   StepFrom(&world, 0, 100);
   EXPECT_FALSE(world.truth().feet[0].in_contact);
   EXPECT_EQ(world.truth().feet[0].f_F_W.norm(), 0.0);
@@ -199,8 +200,8 @@ TEST(MujocoWorldTest, RobotInTheAirTouchesNothing) {
 }
 
 TEST(MujocoWorldTest, CommandsBeyondTheActuatorsRangeAreCut) {
-  MujocoWorld bounded(PlainHopper(kHigh_m));
-  MujocoWorld excessive(PlainHopper(kHigh_m));
+  MujocoWorld bounded = MakeMujocoWorld(PlainHopper(kHigh_m));
+  MujocoWorld excessive = MakeMujocoWorld(PlainHopper(kHigh_m));
   bounded.Apply(Torque(0.0, 0.0, 60.0));
   excessive.Apply(Torque(0.0, 0.0, 1e6));
   StepFrom(&bounded, 0, 20);
@@ -209,7 +210,7 @@ TEST(MujocoWorldTest, CommandsBeyondTheActuatorsRangeAreCut) {
 }
 
 TEST(MujocoWorldTest, PowerIsTorqueTimesSpeed) {
-  MujocoWorld world(PlainHopper(kHigh_m));
+  MujocoWorld world = MakeMujocoWorld(PlainHopper(kHigh_m));
   world.Apply(Torque(0.0, 0.0, 2.0));
   StepFrom(&world, 0, 10);
   const double speed_mps = std::abs(world.truth().joint_velocity[2]);
@@ -224,7 +225,7 @@ TEST(MujocoWorldTest, DivergedPhysicsIsInvalidWithItsReasonForGood) {
   std::filesystem::current_path(folder.path());
   Scenario scenario = PlainHopper(kHigh_m);
   scenario.pushes = {TrunkPush({1e13, 0.0, 0.0}, 0.0, 0.01, kTrunkCom_m)};
-  MujocoWorld world(scenario);
+  MujocoWorld world = MakeMujocoWorld(scenario);
   EXPECT_TRUE(world.is_valid());
   StepFrom(&world, 0, 10);
   EXPECT_FALSE(world.is_valid());
@@ -240,7 +241,7 @@ TEST(MujocoWorldTest, DivergedPhysicsIsInvalidWithItsReasonForGood) {
 TEST(MujocoWorldTest, SameScenarioGivesTheSameStatesBitForBit) {
   Scenario scenario = PlainHopper();
   scenario.pushes = {TrunkPush({1.0, 0.5, 0.0}, 0.1, 0.1, Eigen::Vector3d::Zero())};
-  MujocoWorld first(scenario), second(scenario);
+  MujocoWorld first = MakeMujocoWorld(scenario), second = MakeMujocoWorld(scenario);
   RunStanding(&first, 0, 500);
   RunStanding(&second, 0, 500);
   EXPECT_EQ(first.truth().qpos, second.truth().qpos);
@@ -250,7 +251,7 @@ TEST(MujocoWorldTest, MirroredPushGivesMirroredMotion) {
   const auto end_y = [](double force_N) {
     Scenario scenario = PlainHopper();
     scenario.pushes = {TrunkPush({0.0, force_N, 0.0}, 0.1, 0.1, kTrunkCom_m)};
-    MujocoWorld world(scenario);
+    MujocoWorld world = MakeMujocoWorld(scenario);
     RunStanding(&world, 0, 400);
     return world.truth().p_WC.y();
   };
@@ -263,7 +264,7 @@ TEST(MujocoWorldTest, NamesThatTheMjcfLacksAreConfigErrors) {
   Scenario scenario = PlainHopper();
   scenario.description_of_robot.feet[0].name = "hoof";
   try {
-    const MujocoWorld world(scenario);
+    const MujocoWorld world = MakeMujocoWorld(scenario);
     ADD_FAILURE() << "no error";
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(), "error: the robot's MJCF has no sensor called 'hoof_touch'");
@@ -271,7 +272,7 @@ TEST(MujocoWorldTest, NamesThatTheMjcfLacksAreConfigErrors) {
 }
 
 TEST(MujocoWorldTest, CommandMustHaveOneTorqueAJoint) {
-  MujocoWorld world(PlainHopper());
+  MujocoWorld world = MakeMujocoWorld(PlainHopper());
   ActuatorCommand command;
   command.torque_Nm.setZero(2);
   EXPECT_THROW(world.Apply(command), ContractViolation);
