@@ -42,7 +42,7 @@ double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder
   const Tick control_period = TickAt(1.0 / scenario.control.rate_hz, tick_s);
   const Tick progress_period = TickAt(kProgressPeriod_s, tick_s);
   WallStageTimer timer;
-  SensorSuite sensors(scenario, world->mass_kg());
+  SensorSuite sensors = MakeSensorSuite(scenario, world->mass_kg());
   LocomotionController controller(SetupOf(scenario), &timer);  // sees SensorFrame, never World
 
   Tick tick = 0;
@@ -67,7 +67,7 @@ double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder
     }
     if (tick == num_ticks || judge->finished() || !world->is_valid() || InterruptRequested()) break;
     world->Step(tick);
-    sensors.Feel(world->truth());
+    sensors.Accumulate(world->truth());
   }
   NoteInvalid(*world, SecondsAt(tick, tick_s), judge);
   return SecondsAt(tick, tick_s);

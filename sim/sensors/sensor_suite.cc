@@ -29,20 +29,12 @@ Eigen::VectorXd DrawBiases(std::uint64_t seed, double deviation, Eigen::Index si
 
 }  // namespace
 
-SensorSuite::SensorSuite(const Scenario& scenario, double mass_kg)
-    : params_(scenario.sensors),
-      is_centroidal_(scenario.plant == Plant::kCentroidal),
-      tells_truth_(scenario.control.estimator == EstimatorKind::kTruth),
-      tells_push_(scenario.control.external_wrench == ExternalWrenchKnowledge::kKnown),
-      mass_kg_(mass_kg),
-      control_rate_hz_(scenario.control.rate_hz),
-      delay_frames_(NumFrames(scenario.sensors.delay_s, scenario.control.rate_hz)),
-      wrench_delay_frames_(NumFrames(scenario.sensors.wrench_delay_s, scenario.control.rate_hz)),
-      seed_(scenario.seed),
-      random_(scenario.seed) {
-  for (const FootDescription& foot : scenario.description_of_robot.feet) {
-    has_touch_.push_back(foot.force_torque.empty());
-  }
+SensorSuite::SensorSuite(SensorSetup setup)
+    : setup_(std::move(setup)),
+      delay_frames_(NumFrames(setup_.errors.delay_s, setup_.rate_hz)),
+      wrench_delay_frames_(NumFrames(setup_.errors.wrench_delay_s, setup_.rate_hz)),
+      random_(setup_.seed) {
+  SIDESTEP_REQUIRE(setup_.rate_hz > 0.0, setup_.rate_hz);
 }
 
 double SensorSuite::Noise(double deviation) {
@@ -58,77 +50,79 @@ Eigen::Vector3d SensorSuite::Noise3(double deviation) {
 
 SensorFrame SensorSuite::Sample(const WorldTruth& truth) {
   SensorFrame frame;
-  const Eigen::Vector3d tilt_rad = Noise3(params_.orientation_noise_rad);
+  const Eigen::Vector3d tilt_rad = Noise3(setup_.errors.orientation_noise_rad);
   frame.imu.q_WU = truth.imu.q_WU * Eigen::Quaterniond(1.0, 0.5 * tilt_rad.x(), 0.5 * tilt_rad.y(),
                                                        0.5 * tilt_rad.z());
   frame.imu.q_WU.normalize();
   frame.imu.gyro_radps =
-      truth.imu.gyro_radps + params_.gyro_bias_radps + Noise3(params_.gyro_noise_radps);
-  frame.imu.accelerometer_mps2 = truth.imu.accelerometer_mps2 + params_.accelerometer_bias_mps2 +
-                                 Noise3(params_.accelerometer_noise_mps2);
+      truth.imu.gyro_radps + setup_.errors.gyro_bias_radps + Noise3(setup_.errors.gyro_noise_radps);
+  frame.imu.accelerometer_mps2 = truth.imu.accelerometer_mps2 +
+                                 setup_.errors.accelerometer_bias_mps2 +
+                                 Noise3(setup_.errors.accelerometer_noise_mps2);
   SampleJoints(truth, &frame);
   SampleFeet(truth, &frame);
   SampleForceTorque(truth, &frame);
-  TellWhatIsKnown(truth, &frame);
+  AddPermittedTruth(truth, &frame);
   return frame;
 }
 
 void SensorSuite::SampleJoints(const WorldTruth& truth, SensorFrame* frame) {
   const Eigen::Index joints = truth.joint_position.size();
   if (encoder_bias_.size() != joints) {
-    encoder_bias_ = DrawBiases(seed_, params_.encoder_bias_rad, joints);
+    encoder_bias_ = DrawBiases(setup_.seed, setup_.errors.encoder_bias_rad, joints);
   }
   frame->joint_position = truth.joint_position + encoder_bias_;
   frame->joint_velocity = truth.joint_velocity;
   for (Eigen::Index i = 0; i < joints; ++i) {
-    frame->joint_position[i] += Noise(params_.encoder_noise_rad);
-    frame->joint_velocity[i] += Noise(params_.encoder_velocity_noise_radps);
+    frame->joint_position[i] += Noise(setup_.errors.encoder_noise_rad);
+    frame->joint_velocity[i] += Noise(setup_.errors.encoder_velocity_noise_radps);
   }
 }
 
 void SensorSuite::SampleFeet(const WorldTruth& truth, SensorFrame* frame) {
-  SIDESTEP_REQUIRE(truth.feet.size() == has_touch_.size(), truth.feet.size());
-  for (std::size_t i = 0; i < has_touch_.size(); ++i) {
+  SIDESTEP_REQUIRE(truth.feet.size() == setup_.has_touch.size(), truth.feet.size());
+  for (std::size_t i = 0; i < setup_.has_touch.size(); ++i) {
     FootSample sample;
-    if (has_touch_[i]) {
-      sample.normal_force_N = std::max(0.0, truth.feet[i].touch_N + Noise(params_.touch_noise_N));
+    if (setup_.has_touch[i]) {
+      sample.normal_force_N =
+          std::max(0.0, truth.feet[i].touch_N + Noise(setup_.errors.touch_noise_N));
     }
     frame->feet.push_back(sample);
   }
 }
 
-void SensorSuite::Feel(const WorldTruth& truth) {
-  if (num_felt_ == 0) mean_wrenches_.assign(truth.force_torque.size(), Wrench{});
-  ++num_felt_;
+void SensorSuite::Accumulate(const WorldTruth& truth) {
+  if (num_accumulated_ == 0) mean_wrenches_.assign(truth.force_torque.size(), Wrench{});
+  ++num_accumulated_;
   for (std::size_t i = 0; i < mean_wrenches_.size(); ++i) {
     Wrench& mean = mean_wrenches_[i];
-    mean.force_N += (truth.force_torque[i].force_N - mean.force_N) / num_felt_;
-    mean.torque_Nm += (truth.force_torque[i].torque_Nm - mean.torque_Nm) / num_felt_;
+    mean.force_N += (truth.force_torque[i].force_N - mean.force_N) / num_accumulated_;
+    mean.torque_Nm += (truth.force_torque[i].torque_Nm - mean.torque_Nm) / num_accumulated_;
   }
 }
 
 void SensorSuite::SampleForceTorque(const WorldTruth& truth, SensorFrame* frame) {
-  std::vector<Wrench> now = num_felt_ > 0 ? mean_wrenches_ : truth.force_torque;
-  num_felt_ = 0;
+  std::vector<Wrench> now = num_accumulated_ > 0 ? mean_wrenches_ : truth.force_torque;
+  num_accumulated_ = 0;
   for (Wrench& wrench : now) {
-    wrench.force_N += params_.force_bias_N + Noise3(params_.force_noise_N);
-    wrench.torque_Nm += Noise3(params_.torque_noise_Nm);
+    wrench.force_N += setup_.errors.force_bias_N + Noise3(setup_.errors.force_noise_N);
+    wrench.torque_Nm += Noise3(setup_.errors.torque_noise_Nm);
   }
   wrenches_in_transit_.push_back(std::move(now));
   frame->force_torque = wrenches_in_transit_.front();
-  frame->force_torque_age_s =
-      static_cast<double>(wrenches_in_transit_.size() - 1) / control_rate_hz_;
+  frame->force_torque_age_s = static_cast<double>(wrenches_in_transit_.size() - 1) / setup_.rate_hz;
   if (wrenches_in_transit_.size() > wrench_delay_frames_) wrenches_in_transit_.pop_front();
 }
 
-void SensorSuite::TellWhatIsKnown(const WorldTruth& truth, SensorFrame* frame) const {
-  if (tells_truth_) frame->truth = {truth.p_WB, truth.q_WB, truth.v_WB, truth.w_WB_B};
-  if (is_centroidal_) {
-    CentroidalSample sample{truth.p_WC, mass_kg_ * truth.v_WC, truth.angular_momentum, {}};
+void SensorSuite::AddPermittedTruth(const WorldTruth& truth, SensorFrame* frame) const {
+  if (setup_.permitted.base_state)
+    frame->truth = {truth.p_WB, truth.q_WB, truth.v_WB, truth.w_WB_B};
+  if (setup_.permitted.centroidal_state) {
+    CentroidalSample sample{truth.p_WC, setup_.mass_kg * truth.v_WC, truth.angular_momentum, {}};
     for (const FootTruth& foot : truth.feet) sample.p_WF.push_back(foot.p_WF);
     frame->centroidal = std::move(sample);
   }
-  if (tells_push_) {
+  if (setup_.permitted.external_wrench) {
     Wrench wrench;
     for (const PushTruth& push : truth.pushes) {
       wrench.force_N += push.force_W_N;
@@ -143,13 +137,29 @@ SensorFrame SensorSuite::Read(const WorldTruth& truth, Tick tick) {
   // Until the first delayed frame arrives, the oldest there is stands in for it.
   SensorFrame arriving = in_transit_.front();
   if (in_transit_.size() > delay_frames_) in_transit_.pop_front();
-  const bool drops = params_.dropout > 0.0 && uniform_(random_) < params_.dropout;
+  const bool drops = setup_.errors.dropout > 0.0 && uniform_(random_) < setup_.errors.dropout;
   if (!drops || !has_last_) {
     last_ = std::move(arriving);
     has_last_ = true;
   }
   last_.tick = tick;
   return last_;
+}
+
+SensorSuite MakeSensorSuite(const Scenario& scenario, double mass_kg) {
+  SensorSetup setup;
+  setup.errors = scenario.sensors;
+  setup.permitted.base_state = scenario.control.estimator == EstimatorKind::kTruth;
+  setup.permitted.centroidal_state = scenario.plant == Plant::kCentroidal;
+  setup.permitted.external_wrench =
+      scenario.control.external_wrench == ExternalWrenchKnowledge::kKnown;
+  setup.rate_hz = scenario.control.rate_hz;
+  setup.seed = scenario.seed;
+  setup.mass_kg = mass_kg;
+  for (const FootDescription& foot : scenario.description_of_robot.feet) {
+    setup.has_touch.push_back(foot.force_torque.empty());
+  }
+  return SensorSuite(std::move(setup));
 }
 
 }  // namespace sidestep

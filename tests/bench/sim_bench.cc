@@ -60,7 +60,7 @@ void BM_PhysicsStep(benchmark::State& state) {
   const Scenario scenario = PushScenario();
   const std::unique_ptr<World> world = MakeWorld(scenario);
   StageTimer timer;
-  SensorSuite sensors(scenario, world->mass_kg());
+  SensorSuite sensors = MakeSensorSuite(scenario, world->mass_kg());
   LocomotionController controller(SetupOf(scenario), &timer);
   Tick tick = 0;
   for (; tick < 200; ++tick) {  // settle on the floor: a typical contact, not a fall
@@ -81,7 +81,7 @@ void BM_ControlTick(benchmark::State& state) {
   for (auto _ : state) {
     const std::unique_ptr<World> world = MakeWorld(scenario);
     StageTimer timer;
-    SensorSuite sensors(scenario, world->mass_kg());
+    SensorSuite sensors = MakeSensorSuite(scenario, world->mass_kg());
     LocomotionController controller(SetupOf(scenario), &timer);
     double total_us = 0.0;
     for (Tick tick = 0; tick < TickAt(kRunDuration_s, scenario.world.step_s); ++tick) {
@@ -96,7 +96,7 @@ void BM_ControlTick(benchmark::State& state) {
         world->Apply(control.command);
       }
       world->Step(tick);
-      sensors.Feel(world->truth());
+      sensors.Accumulate(world->truth());
     }
     state.SetIterationTime(1e-6 * total_us);
   }

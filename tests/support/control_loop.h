@@ -17,7 +17,7 @@ void RunControlLoop(const Scenario& scenario, double duration_s, Look&& look) {
   const double tick_s = scenario.world.step_s;
   const Tick control_period = TickAt(1.0 / scenario.control.rate_hz, tick_s);
   MujocoWorld world = MakeMujocoWorld(scenario);
-  SensorSuite sensors(scenario, world.mass_kg());
+  SensorSuite sensors = MakeSensorSuite(scenario, world.mass_kg());
   StageTimer timer;
   LocomotionController controller({scenario.description_of_robot, scenario.control, scenario.gait,
                                    false, tick_s, scenario.duration_s},
@@ -29,7 +29,7 @@ void RunControlLoop(const Scenario& scenario, double duration_s, Look&& look) {
       world.Apply(control.command);
     }
     world.Step(tick);
-    sensors.Feel(world.truth());
+    sensors.Accumulate(world.truth());
   }
 }
 

@@ -140,7 +140,7 @@ TEST(LegOdometryOnMujocoTest, TumblingFreelyItFollowsThePerfectSensors) {
   Scenario scenario = PlainHopper(10.0);
   scenario.pushes = {TrunkPush({2.0, 1.0, 0.0}, 0.0, 0.1, {0.1, 0.1, 0.2})};
   MujocoWorld world = MakeMujocoWorld(scenario);
-  SensorSuite sensors(scenario, world.mass_kg());
+  SensorSuite sensors = MakeSensorSuite(scenario, world.mass_kg());
   RigidBody body(scenario.description_of_robot);
   LegOdometry odometry(scenario.description_of_robot, scenario.control.estimation, kTick_s, &body);
   Errors errors;

@@ -56,7 +56,7 @@ WorldTruth Truth(double mark = 0.0) {
 }
 
 TEST(SensorSuiteTest, WithoutNoiseSensorsReadTheTruth) {
-  SensorSuite sensors(Quiet(), 1.0);
+  SensorSuite sensors = MakeSensorSuite(Quiet(), 1.0);
   const WorldTruth truth = Truth();
   const SensorFrame frame = sensors.Read(truth, 7);
   EXPECT_EQ(frame.tick, 7);
@@ -75,16 +75,16 @@ TEST(SensorSuiteTest, WithoutNoiseSensorsReadTheTruth) {
 TEST(SensorSuiteTest, FootWithForceTorqueSensorsHasNoTouch) {
   Scenario scenario = Noisy();
   scenario.description_of_robot.feet[0].force_torque = {"ankle_ft"};
-  EXPECT_EQ(SensorSuite(scenario, 1.0).Read(Truth(), 0).feet[0].normal_force_N, 0.0);
+  EXPECT_EQ(MakeSensorSuite(scenario, 1.0).Read(Truth(), 0).feet[0].normal_force_N, 0.0);
 }
 
 TEST(SensorSuiteTest, TruthCentroidalStateAndPushAreToldOnlyWhenAskedFor) {
-  SensorFrame frame = SensorSuite(Quiet(), 1.0).Read(Truth(), 0);
+  SensorFrame frame = MakeSensorSuite(Quiet(), 1.0).Read(Truth(), 0);
   EXPECT_FALSE(frame.truth || frame.centroidal || frame.known_external_wrench);
 
   Scenario scenario = Quiet();
   scenario.control.estimator = EstimatorKind::kTruth;
-  frame = SensorSuite(scenario, 1.0).Read(Truth(), 0);
+  frame = MakeSensorSuite(scenario, 1.0).Read(Truth(), 0);
   ASSERT_TRUE(frame.truth);
   EXPECT_FALSE(frame.centroidal || frame.known_external_wrench);
   EXPECT_EQ(frame.truth->p_WB, Truth().p_WB);
@@ -94,7 +94,7 @@ TEST(SensorSuiteTest, TruthCentroidalStateAndPushAreToldOnlyWhenAskedFor) {
 
   scenario = Quiet();
   scenario.plant = Plant::kCentroidal;
-  frame = SensorSuite(scenario, 2.0).Read(Truth(), 0);
+  frame = MakeSensorSuite(scenario, 2.0).Read(Truth(), 0);
   ASSERT_TRUE(frame.centroidal);
   EXPECT_FALSE(frame.truth || frame.known_external_wrench);
   EXPECT_EQ(frame.centroidal->p_WC, Truth().p_WC);
@@ -104,7 +104,7 @@ TEST(SensorSuiteTest, TruthCentroidalStateAndPushAreToldOnlyWhenAskedFor) {
 
   scenario = Quiet();
   scenario.control.external_wrench = ExternalWrenchKnowledge::kKnown;
-  frame = SensorSuite(scenario, 1.0).Read(Truth(), 0);
+  frame = MakeSensorSuite(scenario, 1.0).Read(Truth(), 0);
   EXPECT_TRUE(frame.known_external_wrench);
   EXPECT_FALSE(frame.truth || frame.centroidal);
 }
@@ -112,7 +112,7 @@ TEST(SensorSuiteTest, TruthCentroidalStateAndPushAreToldOnlyWhenAskedFor) {
 TEST(SensorSuiteTest, KnownPushIsTheSumOfPushesAboutTheCom) {
   Scenario scenario = Quiet();
   scenario.control.external_wrench = ExternalWrenchKnowledge::kKnown;
-  const SensorFrame frame = SensorSuite(scenario, 1.0).Read(Truth(), 0);
+  const SensorFrame frame = MakeSensorSuite(scenario, 1.0).Read(Truth(), 0);
   EXPECT_EQ(frame.known_external_wrench->force_N, Eigen::Vector3d(3.0, 10.0, 0.0));
   // By hand: (0, 0, 0.5) x (0, 10, 0) + (0, 0.5, 0) x (3, 0, 0).
   const Eigen::Vector3d torque_Nm(-5.0, 0.0, -1.5);
@@ -120,7 +120,8 @@ TEST(SensorSuiteTest, KnownPushIsTheSumOfPushesAboutTheCom) {
 }
 
 TEST(SensorSuiteTest, SameSeedGivesTheSameNoiseAndAnotherSeedAnother) {
-  SensorSuite first(Noisy(3), 1.0), second(Noisy(3), 1.0), other(Noisy(4), 1.0);
+  SensorSuite first = MakeSensorSuite(Noisy(3), 1.0), second = MakeSensorSuite(Noisy(3), 1.0),
+              other = MakeSensorSuite(Noisy(4), 1.0);
   for (Tick tick = 0; tick < 20; ++tick) {
     const SensorFrame a = first.Read(Truth(), tick);
     const SensorFrame b = second.Read(Truth(), tick);
@@ -141,7 +142,7 @@ constexpr int kSamples = 4000;
 
 template <typename Reading>
 Spread SpreadOf(const Scenario& scenario, Reading&& reading) {
-  SensorSuite sensors(scenario, 1.0);
+  SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
   double sum = 0.0, squares = 0.0;
   for (Tick tick = 0; tick < kSamples; ++tick) {
     const double value = reading(sensors.Read(Truth(), tick));
@@ -183,7 +184,7 @@ TEST(SensorSuiteTest, NoiseHasTheDeviationOfItsSetting) {
 
 TEST(SensorSuiteTest, TouchIsNeverNegative) {
   Scenario scenario = Noisy();
-  SensorSuite sensors(scenario, 1.0);
+  SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
   WorldTruth truth = Truth();
   truth.feet[0].touch_N = 0.0;
   bool felt = false;
@@ -198,7 +199,7 @@ TEST(SensorSuiteTest, TouchIsNeverNegative) {
 TEST(SensorSuiteTest, FramesAreAsOldAsTheDelay) {
   Scenario scenario = Quiet();
   scenario.sensors.delay_s = 0.003;
-  SensorSuite sensors(scenario, 1.0);
+  SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
   for (Tick tick = 0; tick < 20; ++tick) {
     const SensorFrame frame = sensors.Read(Truth(static_cast<double>(tick)), tick);
     const Tick measured = std::max<Tick>(0, tick - 3);
@@ -212,7 +213,7 @@ TEST(SensorSuiteTest, BiasesAreAddedEveryTime) {
   scenario.sensors.force_bias_N = {1.0, -2.0, 4.0};
   scenario.sensors.gyro_bias_radps = {0.25, 0.5, -0.125};
   scenario.sensors.accelerometer_bias_mps2 = {-0.5, 0.25, 0.125};
-  SensorSuite sensors(scenario, 1.0);
+  SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
   const WorldTruth truth = Truth();
   for (Tick tick = 0; tick < 3; ++tick) {
     const SensorFrame frame = sensors.Read(truth, tick);
@@ -234,7 +235,7 @@ TEST(SensorSuiteTest, EncoderBiasIsOneDrawAJointAndSeed) {
     scenario.sensors.encoder_bias_rad = 0.02;
     WorldTruth truth = Truth();
     truth.joint_position = truth.joint_velocity = Eigen::VectorXd::Zero(joints);
-    SensorSuite sensors(scenario, 1.0);
+    SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
     for (Tick before = 0; before < tick; ++before) sensors.Read(truth, before);
     const SensorFrame frame = sensors.Read(truth, tick);
     EXPECT_EQ(frame.joint_velocity, truth.joint_velocity) << "of the position only";
@@ -250,7 +251,7 @@ TEST(SensorSuiteTest, NewErrorsLeaveTheDrawsOfTheOldOnesAlone) {
   Scenario biased = Noisy();
   biased.sensors.encoder_bias_rad = 0.02;
   biased.sensors.gyro_bias_radps = {0.5, 0.5, 0.5};
-  SensorSuite sensors(Noisy(), 1.0), with_biases(biased, 1.0);
+  SensorSuite sensors = MakeSensorSuite(Noisy(), 1.0), with_biases = MakeSensorSuite(biased, 1.0);
   for (Tick tick = 0; tick < 20; ++tick) {
     const SensorFrame a = sensors.Read(Truth(), tick);
     const SensorFrame b = with_biases.Read(Truth(), tick);
@@ -265,7 +266,7 @@ TEST(SensorSuiteTest, WrenchesAreOlderThanTheRestByTheirOwnDelay) {
   Scenario scenario = Quiet();
   scenario.sensors.delay_s = 0.002;
   scenario.sensors.wrench_delay_s = 0.003;
-  SensorSuite sensors(scenario, 1.0);
+  SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
   for (Tick tick = 0; tick < 20; ++tick) {
     const SensorFrame frame = sensors.Read(Truth(static_cast<double>(tick)), tick);
     EXPECT_EQ(frame.joint_position[0], 0.5 + static_cast<double>(std::max<Tick>(0, tick - 2)));
@@ -279,7 +280,7 @@ TEST(SensorSuiteTest, WrenchesAreOlderThanTheRestByTheirOwnDelay) {
 TEST(SensorSuiteTest, DropoutRepeatsTheLastFrameAsOftenAsItsProbability) {
   Scenario scenario = Quiet();
   scenario.sensors.dropout = 0.3;
-  SensorSuite sensors(scenario, 1.0);
+  SensorSuite sensors = MakeSensorSuite(scenario, 1.0);
   int repeats = 0;
   double last = sensors.Read(Truth(0.0), 0).joint_position[0];
   EXPECT_EQ(last, 0.5) << "the first frame never drops";
