@@ -12,6 +12,7 @@
 // Pushes act on `com` or at a foot (its name or its frame).
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ class CentroidalWorld final : public World {
   CentroidalWorld(const RobotDescription& robot, double start_width_m, const WorldParams& params,
                   const std::vector<Push>& pushes);
 
+  std::unique_ptr<World> Clone() const override { return std::make_unique<CentroidalWorld>(*this); }
   const WorldTruth& truth() const override { return truth_; }
   bool is_valid() const override { return invalid_reason_.empty(); }
   const std::string& invalid_reason() const override { return invalid_reason_; }

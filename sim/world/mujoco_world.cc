@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "models/mjcf/centroidal_motion.h"
+#include "models/mjcf/mjcf.h"
 #include "models/mjcf/quaternion.h"
 #include "models/robot_description/home_pose.h"
 #include "models/support/config_error.h"
@@ -38,7 +39,7 @@ Eigen::MatrixX2d MotorRanges(const mjModel& model) {
 MujocoWorld::MujocoWorld(const RobotDescription& robot, const WorldParams& params,
                          const std::vector<Push>& pushes)
     : model_(CompileRobotWorld(robot, params, ModelDetail::kSimulated)),
-      data_(MakeData(*model_)),
+      data_(model_),
       pushes_(pushes, params.step_s),
       mass_kg_(mj_getTotalmass(model_.get())),
       servos_(robot.joints, MotorRanges(*model_)) {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// mujoco_world: the plant `mujoco`, a robot on a floor. Sole owner of the simulation's mjModel and
-// mjData, and the one place where they are brought in step with each other.
+// mujoco_world: the plant `mujoco`, a robot on a floor. Sole owner of the simulation's mjData, and
+// the one place where it is brought in step with itself.
 //
 // A step is MuJoCo's two halves: after the constructor and after every Step(), the first half
 // (kinematics, collisions, velocities) belongs to the current state; the second half takes the
 // command and the pushes and integrates. Contact forces and accelerations are those of the step
 // that led to the current state. The servos act at every step on the state it begins with.
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "models/mjcf/mjcf.h"
+#include "models/mjcf/mj_state.h"
 #include "sim/actuators/joint_servos.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/pushes.h"
@@ -26,6 +27,7 @@ class MujocoWorld final : public World {
   MujocoWorld(const RobotDescription& robot, const WorldParams& params,
               const std::vector<Push>& pushes);
 
+  std::unique_ptr<World> Clone() const override { return std::make_unique<MujocoWorld>(*this); }
   const WorldTruth& truth() const override { return truth_; }
   bool is_valid() const override { return invalid_reason_.empty(); }
   const std::string& invalid_reason() const override { return invalid_reason_; }
@@ -68,8 +70,8 @@ class MujocoWorld final : public World {
   void ReadSensors();
   void CheckValid();
 
-  MjModelPtr model_;
-  MjDataPtr data_;
+  std::shared_ptr<const mjModel> model_;  // the same for all copies
+  MjState data_;
   Pushes pushes_;
   std::vector<PushedObject> pushed_;
   std::vector<PushedPose> pushed_poses_;

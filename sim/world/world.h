@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,10 @@ class World {
  public:
   virtual ~World() = default;
 
+  /// A world of its own in the same state, at the same tick: under the same commands both go on bit
+  /// for bit alike, and neither disturbs the other.
+  virtual std::unique_ptr<World> Clone() const = 0;
+
   /// State at the current tick.
   virtual const WorldTruth& truth() const = 0;
 
@@ -90,6 +95,11 @@ class World {
 
   /// Advances by one tick under the last command and the pushes of `tick`.
   virtual void Step(Tick tick) = 0;
+
+ protected:
+  World() = default;
+  World(const World&) = default;  // by Clone() only: a World& must not be copied in part
+  World& operator=(const World&) = default;
 };
 
 }  // namespace sidestep

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ class ScriptedWorld final : public World {
     written.feet.resize(scenario.description_of_robot.feet.size());
     written.pushes.resize(scenario.pushes.size());
   }
+  std::unique_ptr<World> Clone() const override { return std::make_unique<ScriptedWorld>(*this); }
   const WorldTruth& truth() const override { return written; }
   bool is_valid() const override { return true; }
   const std::string& invalid_reason() const override { return reason_; }
