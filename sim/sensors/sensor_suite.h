@@ -28,7 +28,7 @@ struct SensorSetup {
   double rate_hz{1000.0};       ///< Frames a second, > 0.
   std::uint64_t seed{1};        ///< Decides every error.
   double mass_kg{1.0};          ///< The plant's: its momentum is part of the centroidal state.
-  std::vector<bool> has_touch;  ///< One a foot: by a touch sensor it tells its normal force.
+  std::vector<bool> has_touch;  ///< One a foot: whether a touch sensor measures its normal force.
 };
 
 /// The robot's sensors. Deterministic in the seed. A copy, made at any time, reads on as its

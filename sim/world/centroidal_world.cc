@@ -41,7 +41,7 @@ double StartSide(std::size_t foot, std::size_t num_feet) {
 
 }  // namespace
 
-Eigen::Vector3d ForceOfFloor(const Eigen::Vector3d& force_N, double friction) {
+Eigen::Vector3d ClampToFrictionCone(const Eigen::Vector3d& force_N, double friction) {
   if (force_N.z() <= 0.0) return Eigen::Vector3d::Zero();
   const double tangential_N = force_N.head<2>().norm();
   const double most_N = friction * force_N.z();
@@ -112,12 +112,12 @@ void CentroidalWorld::Apply(const ActuatorCommand& command) {
     if (!foot.in_contact || wanted.force_N.cols() == 0) continue;
     SIDESTEP_REQUIRE(wanted.force_N.cols() == vertex_force_N_[i].cols(), wanted.force_N.cols());
     for (Eigen::Index vertex = 0; vertex < wanted.force_N.cols(); ++vertex) {
-      vertex_force_N_[i].col(vertex) = ForceOfFloor(wanted.force_N.col(vertex), friction_);
+      vertex_force_N_[i].col(vertex) = ClampToFrictionCone(wanted.force_N.col(vertex), friction_);
     }
   }
 }
 
-CentroidalLoad CentroidalWorld::LoadNow() const {
+CentroidalLoad CentroidalWorld::CurrentLoad() const {
   Eigen::Index num_forces = static_cast<Eigen::Index>(pushed_foot_.size());
   for (const Eigen::Matrix3Xd& forces : vertex_force_N_) num_forces += forces.cols();
   CentroidalLoad load;
@@ -146,7 +146,7 @@ CentroidalLoad CentroidalWorld::LoadNow() const {
 void CentroidalWorld::Step(Tick tick) {
   if (!is_valid()) return;
   UpdatePushes(tick);
-  state_ = Advance(state_, LoadNow(), mass_kg_, tick_s_);
+  state_ = Advance(state_, CurrentLoad(), mass_kg_, tick_s_);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootTruth& foot = truth_.feet[i];
     foot.f_F_W = vertex_force_N_[i].rowwise().sum();
@@ -171,7 +171,7 @@ void CentroidalWorld::UpdatePushes(Tick tick) {
     poses.push_back({foot < 0 ? state_.p_WC : truth_.feet[static_cast<std::size_t>(foot)].p_WF,
                      Eigen::Matrix3d::Identity()});
   }
-  truth_.pushes = pushes_.At(tick, poses, HeadingRad(truth_.q_WB));
+  truth_.pushes = pushes_.Update(tick, poses, HeadingRad(truth_.q_WB));
 }
 
 void CentroidalWorld::WriteTruth() {

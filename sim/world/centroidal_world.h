@@ -24,7 +24,7 @@ namespace sidestep {
 
 /// Nearest thing to `force_N` (in W, z up) that dry friction on level ground can give: zero if it
 /// pulls; else the same vertical part, tangential part at most friction times it.
-Eigen::Vector3d ForceOfFloor(const Eigen::Vector3d& force_N, double friction);
+Eigen::Vector3d ClampToFrictionCone(const Eigen::Vector3d& force_N, double friction);
 
 /// Position, velocity (m, m/s) and angular momentum about the CoM (kg m^2/s), in W.
 struct CentroidalState {
@@ -71,7 +71,7 @@ class CentroidalWorld final : public World {
   void Step(Tick tick) override;
 
  private:
-  CentroidalLoad LoadNow() const;
+  CentroidalLoad CurrentLoad() const;
   void UpdatePushes(Tick tick);
   void WriteTruth();
 

@@ -141,7 +141,7 @@ void MujocoWorld::UpdatePushes(Tick tick) {
     pushed_poses_[i].R_WO = ConstMatrix3Map(is_site ? data_->site_xmat + 9 * object.site
                                                     : data_->xmat + 9 * object.body);
   }
-  truth_.pushes = pushes_.At(tick, pushed_poses_, HeadingRad(truth_.q_WB));
+  truth_.pushes = pushes_.Update(tick, pushed_poses_, HeadingRad(truth_.q_WB));
 }
 
 // xfrc_applied is [force; torque] at the body's CoM and persists: written whole at every step.

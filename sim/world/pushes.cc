@@ -32,8 +32,8 @@ Pushes::Pushes(std::vector<Push> pushes, double tick_s)
   SIDESTEP_REQUIRE(tick_s > 0.0, tick_s);
 }
 
-const std::vector<PushTruth>& Pushes::At(Tick tick, std::span<const PushedPose> poses,
-                                         double heading_rad) {
+const std::vector<PushTruth>& Pushes::Update(Tick tick, std::span<const PushedPose> poses,
+                                             double heading_rad) {
   SIDESTEP_REQUIRE(poses.size() == pushes_.size(), poses.size());
   for (std::size_t i = 0; i < pushes_.size(); ++i) {
     const Push& push = pushes_[i];

@@ -40,8 +40,8 @@ class Pushes {
   /// Every push at `tick`; ticks must not go back. A push that does not act has zero force.
   /// @param poses        Of the pushed bodies now, one a push.
   /// @param heading_rad  The base's yaw now.
-  const std::vector<PushTruth>& At(Tick tick, std::span<const PushedPose> poses,
-                                   double heading_rad);
+  const std::vector<PushTruth>& Update(Tick tick, std::span<const PushedPose> poses,
+                                       double heading_rad);
 
  private:
   struct Latch {

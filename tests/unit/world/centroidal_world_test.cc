@@ -137,10 +137,10 @@ TEST(CentroidalWorldTest, PushAtAFootTurnsTheBody) {
 
 TEST(CentroidalWorldTest, FloorShortensATangentialForceToItsCone) {
   const Eigen::Vector3d inside(1.0, -1.0, 10.0);
-  EXPECT_EQ(ForceOfFloor(inside, 0.5), inside);
-  const Eigen::Vector3d clipped = ForceOfFloor({6.0, 8.0, 10.0}, 0.5);
+  EXPECT_EQ(ClampToFrictionCone(inside, 0.5), inside);
+  const Eigen::Vector3d clipped = ClampToFrictionCone({6.0, 8.0, 10.0}, 0.5);
   EXPECT_LT((clipped - Eigen::Vector3d(3.0, 4.0, 10.0)).norm(), 1e-12);
-  EXPECT_EQ(ForceOfFloor({1.0, 0.0, -3.0}, 0.5), Eigen::Vector3d::Zero());
+  EXPECT_EQ(ClampToFrictionCone({1.0, 0.0, -3.0}, 0.5), Eigen::Vector3d::Zero());
 }
 
 TEST(CentroidalWorldTest, PlantAppliesWhatTheFloorGivesAndReportsIt) {

@@ -27,7 +27,7 @@ Eigen::Vector3d Impulse(const Push& push, const PushedPose& pose, double heading
   Pushes pushes({push}, kTick_s);
   Eigen::Vector3d impulse_Ns = Eigen::Vector3d::Zero();
   for (Tick tick = 0; tick < 500; ++tick) {
-    impulse_Ns += kTick_s * pushes.At(tick, {&pose, 1}, heading_rad)[0].force_W_N;
+    impulse_Ns += kTick_s * pushes.Update(tick, {&pose, 1}, heading_rad)[0].force_W_N;
   }
   return impulse_Ns;
 }
@@ -67,12 +67,12 @@ TEST(PushesTest, HeadingFrameTurnsForceByYawAtItsStartOnly) {
   push.frame = PushFrame::kHeading;
   Pushes pushes({push}, kTick_s);
   const PushedPose pose;
-  pushes.At(99, {&pose, 1}, 0.3);  // not yet acting: this yaw must not stick
+  pushes.Update(99, {&pose, 1}, 0.3);  // not yet acting: this yaw must not stick
   const double quarter_turn = std::numbers::pi / 2.0;
   // By hand: x' = -y, y' = x after a quarter turn to the left.
   const Eigen::Vector3d expected_N(-40.0, 3.0, -5.0);
   const auto force_N = [&](Tick tick, double heading_rad) {
-    return pushes.At(tick, {&pose, 1}, heading_rad)[0].force_W_N;
+    return pushes.Update(tick, {&pose, 1}, heading_rad)[0].force_W_N;
   };
   EXPECT_LT((force_N(100, quarter_turn) - expected_N).norm(), 1e-12);
   EXPECT_LT((force_N(101, 0.0) - expected_N).norm(), 1e-12);
@@ -83,11 +83,11 @@ TEST(PushesTest, BodyFrameTurnsWithTheBody) {
   push.frame = PushFrame::kBody;
   PushedPose pose;
   Pushes pushes({push}, kTick_s);
-  EXPECT_LT((pushes.At(100, {&pose, 1}, 0.5)[0].force_W_N - push.force_N).norm(), 1e-12);
+  EXPECT_LT((pushes.Update(100, {&pose, 1}, 0.5)[0].force_W_N - push.force_N).norm(), 1e-12);
   pose.R_WO = Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitX());
   // By hand: a quarter turn about x takes y to z and z to -y.
   const Eigen::Vector3d expected_N(3.0, 5.0, 40.0);
-  EXPECT_LT((pushes.At(101, {&pose, 1}, 0.5)[0].force_W_N - expected_N).norm(), 1e-12);
+  EXPECT_LT((pushes.Update(101, {&pose, 1}, 0.5)[0].force_W_N - expected_N).norm(), 1e-12);
 }
 
 TEST(PushesTest, PointIsGivenInTheBodysAxes) {
@@ -98,7 +98,7 @@ TEST(PushesTest, PointIsGivenInTheBodysAxes) {
   pose.R_WO = Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ());
   Pushes pushes({push}, kTick_s);
   const Eigen::Vector3d expected_W(1.0, 2.1, 3.0);
-  EXPECT_LT((pushes.At(0, {&pose, 1}, 0.0)[0].p_W - expected_W).norm(), 1e-12);
+  EXPECT_LT((pushes.Update(0, {&pose, 1}, 0.0)[0].p_W - expected_W).norm(), 1e-12);
 }
 
 TEST(PushesTest, HeadingIsYawWhateverPitchIs) {
@@ -109,7 +109,7 @@ TEST(PushesTest, HeadingIsYawWhateverPitchIs) {
 
 TEST(PushesTest, PosesMustBeOneAPush) {
   Pushes pushes({SidePush()}, kTick_s);
-  EXPECT_THROW(pushes.At(0, {}, 0.0), ContractViolation);
+  EXPECT_THROW(pushes.Update(0, {}, 0.0), ContractViolation);
 }
 
 }  // namespace
