@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/support/require.h"
+#include "sim/scenario/scenario.h"
 
 namespace sidestep {
 namespace {

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "controller/types/sensor_frame.h"
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/sensor_params.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
+
+struct Scenario;
 
 /// Parts of the truth that the controller may know as they are, late as any reading but without
 /// error.

@@ -16,7 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/scenario.h"
+#include "models/robot_description/robot_description.h"
+#include "sim/scenario/push.h"
+#include "sim/scenario/world_params.h"
 #include "sim/world/pushes.h"
 #include "sim/world/world.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/make_world.h"
 
+#include "sim/scenario/scenario.h"
 #include "sim/world/centroidal_world.h"
 #include "sim/world/mujoco_world.h"
 

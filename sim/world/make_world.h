@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
 
+struct Scenario;
 class MujocoWorld;
 class CentroidalWorld;
 

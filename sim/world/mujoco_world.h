@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "models/mjcf/mj_state.h"
+#include "models/robot_description/robot_description.h"
 #include "sim/actuators/joint_servos.h"
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/push.h"
+#include "sim/scenario/world_params.h"
 #include "sim/world/pushes.h"
 #include "sim/world/world.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "controller/types/tick.h"
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/push.h"
 #include "sim/world/world.h"
 
 namespace sidestep {

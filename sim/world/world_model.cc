@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/mjcf/ground.h"
+#include "sim/scenario/scenario.h"
 
 namespace sidestep {
 namespace {

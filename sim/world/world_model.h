@@ -3,9 +3,12 @@
 // world_model: the mjModel of a world: robot, floor, light and sky.
 
 #include "models/mjcf/mjcf.h"
-#include "sim/scenario/scenario.h"
+#include "models/robot_description/robot_description.h"
+#include "sim/scenario/world_params.h"
 
 namespace sidestep {
+
+struct Scenario;
 
 /// Compiles a robot's MJCF on a floor with the friction, physics step and mass_scale of `params`.
 /// Joints and qpos are the same at either detail.

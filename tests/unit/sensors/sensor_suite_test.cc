@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "sim/scenario/scenario.h"
+
 namespace sidestep::sensor_suite_test {
 namespace {
 
