@@ -6,15 +6,6 @@
 namespace sidestep::mpc {
 namespace {
 
-OcpWeights ToOcpWeights(const MpcWeights& weights) {
-  return {weights.com,
-          weights.angular_momentum,
-          weights.contact_position,
-          weights.force_symmetry,
-          weights.force_rate,
-          weights.new_contact_force};
-}
-
 // Knot nearest to a tick offset, which may be negative.
 int NearestKnot(Tick offset, Tick step_ticks) {
   const Tick doubled = 2 * offset + step_ticks;
@@ -37,7 +28,7 @@ ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot,
   ocp_.knots = knots;
   ocp_.mass_kg = robot.mass_kg;
   ocp_.gravity_mps2 = robot.gravity_mps2;
-  ocp_.weights = ToOcpWeights(params.weights);
+  ocp_.weights = params.weights;
   ocp_.friction_A = FrictionPyramid(params.friction);
   ocp_.friction_b = Eigen::VectorXd::Zero(ocp_.friction_A.rows());
   ocp_.external_force_N.setZero(3, knots);

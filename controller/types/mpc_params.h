@@ -10,7 +10,7 @@
 
 namespace sidestep {
 
-/// Diagonals of the tasks' weights, world axes; momentum and force are divided by the mass.
+/// Diagonals of the cost's weights, world axes; momentum and force are divided by the mass first.
 /// Source: Romualdi et al. (ICRA 2022), section III-B; values as its iCub experiment, doubled
 /// where its program sums without the factor 1/2.
 struct MpcWeights {
@@ -19,6 +19,8 @@ struct MpcWeights {
   Eigen::Vector3d contact_position{400.0, 400.0, 400.0};
   Eigen::Vector3d force_symmetry{20.0, 20.0, 20.0};
   Eigen::Vector3d force_rate{0.2, 0.2, 0.2};
+  /// On the force of a contact that touches down at the last input, N - 1, where nothing else
+  /// makes the optimum unique.
   Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
 
   template <typename Self, typename Visitor>

@@ -70,7 +70,7 @@ void CentroidalNlp::ConstraintBounds(Vector lower, Vector upper) const {
 }
 
 double CentroidalNlp::Cost(ConstVector x) const {
-  const OcpWeights& weights = ocp_->weights;
+  const MpcWeights& weights = ocp_->weights;
   double cost = ForceCost(x);
   for (int k = 0; k <= ocp_->knots; ++k) {
     cost +=
@@ -126,7 +126,7 @@ Eigen::Vector3d CentroidalNlp::PreviousForce(const ForceSlot& slot) const {
 }
 
 double CentroidalNlp::ForceCost(ConstVector x) const {
-  const OcpWeights& weights = ocp_->weights;
+  const MpcWeights& weights = ocp_->weights;
   double cost = 0.0;
   for (const ForceSlot& slot : layout_.slots()) {
     const Eigen::Vector3d u = x.segment<3>(slot.column);

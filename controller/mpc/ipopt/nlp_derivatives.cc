@@ -7,7 +7,7 @@
 namespace sidestep::mpc {
 
 void CentroidalNlp::Gradient(ConstVector x, Vector gradient) const {
-  const OcpWeights& weights = ocp_->weights;
+  const MpcWeights& weights = ocp_->weights;
   gradient.setZero();
   for (int k = 1; k <= ocp_->knots; ++k) {
     const int column = layout_.knots()[static_cast<std::size_t>(k)].state_column;
@@ -26,7 +26,7 @@ void CentroidalNlp::Gradient(ConstVector x, Vector gradient) const {
 }
 
 void CentroidalNlp::ForceGradient(ConstVector x, Vector gradient) const {
-  const OcpWeights& weights = ocp_->weights;
+  const MpcWeights& weights = ocp_->weights;
   const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
   for (const ForceSlot& slot : layout_.slots()) {
     const Eigen::Vector3d u = x.segment<3>(slot.column);
@@ -103,7 +103,7 @@ void CentroidalNlp::VisitJacobian(const ConstVector* x, Emit&& emit) const {
 template <typename Emit>
 void CentroidalNlp::VisitHessian(double cost_factor, const ConstVector* multipliers,
                                  Emit&& emit) const {
-  const OcpWeights& weights = ocp_->weights;
+  const MpcWeights& weights = ocp_->weights;
   for (int k = 1; k <= ocp_->knots; ++k) {
     const int column = layout_.knots()[static_cast<std::size_t>(k)].state_column;
     for (int a = 0; a < 3; ++a) {
@@ -146,7 +146,7 @@ void CentroidalNlp::VisitHessian(double cost_factor, const ConstVector* multipli
 template <typename Emit>
 void CentroidalNlp::VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const {
   const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(slot_index)];
-  const OcpWeights& weights = ocp_->weights;
+  const MpcWeights& weights = ocp_->weights;
   const double share = 1.0 / NumVertices(slot);
   const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
   const int num_rates = (slot.next_slot >= 0 ? 1 : 0) + (slot.previous_slot >= 0 ? 1 : 0) +

@@ -30,7 +30,7 @@ bool IsFinite(const ContactPhase& phase) {
                             phase.box_upper_m.allFinite());
 }
 
-bool IsFinite(const OcpWeights& weights) {
+bool IsFinite(const MpcWeights& weights) {
   return weights.com.allFinite() && weights.angular_momentum.allFinite() &&
          weights.contact_position.allFinite() && weights.force_symmetry.allFinite() &&
          weights.force_rate.allFinite() && weights.new_contact_force.allFinite();

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "controller/types/mpc_params.h"
+
 namespace sidestep::mpc {
 
 /// One stay of a foot on the ground, active for knots first_knot <= k < end_knot (Gamma = 1).
@@ -42,17 +44,6 @@ struct OcpContact {
   std::vector<ContactPhase> phases;
 };
 
-/// Diagonals of the weights, world axes. Momentum and force are divided by the mass first.
-struct OcpWeights {
-  Eigen::Vector3d com{2.0, 2.0, 400.0};
-  Eigen::Vector3d angular_momentum{200.0, 200.0, 200.0};
-  Eigen::Vector3d contact_position{400.0, 400.0, 400.0};
-  Eigen::Vector3d force_symmetry{20.0, 20.0, 20.0};
-  Eigen::Vector3d force_rate{0.2, 0.2, 0.2};
-  /// On the force of a contact whose first knot is N - 1; keeps the optimum unique there.
-  Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
-};
-
 /// The whole problem.
 struct CentroidalOcp {
   std::string name;
@@ -60,7 +51,7 @@ struct CentroidalOcp {
   double step_s{0.1};  ///< T.
   int knots{15};       ///< N.
   double mass_kg{1.0};
-  Eigen::Vector3d gravity_mps2{0.0, 0.0, -9.80665};
+  Eigen::Vector3d gravity_mps2{Eigen::Vector3d::Zero()};
   Eigen::Vector3d initial_p_WC{Eigen::Vector3d::Zero()};              ///< m.
   Eigen::Vector3d initial_linear_momentum{Eigen::Vector3d::Zero()};   ///< kg m/s.
   Eigen::Vector3d initial_angular_momentum{Eigen::Vector3d::Zero()};  ///< kg m^2/s about C.
@@ -68,7 +59,7 @@ struct CentroidalOcp {
   Eigen::Matrix3Xd reference_angular_momentum;                        ///< 3 x (N+1).
   Eigen::Matrix3Xd external_force_N;                                  ///< 3 x N.
   Eigen::Matrix3Xd external_torque_Nm;                                ///< 3 x N, about C.
-  OcpWeights weights;
+  MpcWeights weights;
   Eigen::MatrixX3d friction_A;  ///< rows x 3: A R^T f <= b at every vertex.
   Eigen::VectorXd friction_b;   ///< N.
   std::vector<OcpContact> contacts;

@@ -92,10 +92,10 @@ OcpContact ContactFromJson(const JsonNode& node) {
   return contact;
 }
 
-OcpWeights WeightsFromJson(const JsonNode& node) {
+MpcWeights WeightsFromJson(const JsonNode& node) {
   node.RequireKeys({"com", "angular_momentum", "contact_position", "force_symmetry", "force_rate"},
                    {"new_contact_force"});
-  OcpWeights weights;
+  MpcWeights weights;
   weights.com = node["com"].Weights3();
   weights.angular_momentum = node["angular_momentum"].Weights3();
   weights.contact_position = node["contact_position"].Weights3();
@@ -121,7 +121,7 @@ json ToJson(const CentroidalOcp& ocp) {
   for (const OcpContact& contact : ocp.contacts) {
     contacts.push_back(ToJson(contact));
   }
-  const OcpWeights& weights = ocp.weights;
+  const MpcWeights& weights = ocp.weights;
   return {{"name", ocp.name},
           {"description", ocp.description},
           {"step_s", ocp.step_s},

@@ -62,12 +62,17 @@ inline ContactPhase FreePhase(int first_knot, int end_knot, const Eigen::Vector3
   return phase;
 }
 
+/// As the reference files have it. Not the program's own figure, so that a solver which took that
+/// instead of the problem's would fail.
+constexpr double kStandardGravity_mps2 = 9.80665;
+
 /// A problem without contacts: a robot of 2 kg that floats at the origin, references zero.
 inline CentroidalOcp FloatingProblem(int knots) {
   CentroidalOcp ocp;
   ocp.name = "floating";
   ocp.knots = knots;
   ocp.mass_kg = 2.0;
+  ocp.gravity_mps2 << 0.0, 0.0, -kStandardGravity_mps2;
   ocp.reference_p_WC = Eigen::Matrix3Xd::Zero(3, knots + 1);
   ocp.reference_angular_momentum = Eigen::Matrix3Xd::Zero(3, knots + 1);
   ocp.external_force_N = Eigen::Matrix3Xd::Zero(3, knots);
@@ -117,7 +122,7 @@ inline void Randomise(Numbers& numbers, CentroidalOcp* ocp) {
   numbers.Fill(ocp->external_torque_Nm);
   numbers.Fill(ocp->friction_A);
   numbers.Fill(ocp->friction_b);
-  OcpWeights& weights = ocp->weights;
+  MpcWeights& weights = ocp->weights;
   for (Eigen::Vector3d* weight :
        {&weights.com, &weights.angular_momentum, &weights.contact_position, &weights.force_symmetry,
         &weights.force_rate, &weights.new_contact_force}) {

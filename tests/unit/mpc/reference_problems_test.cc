@@ -20,7 +20,6 @@ constexpr double kFootTolerance_m = 1e-4;     // Five times what the files' make
 constexpr double kForceTolerance = 1e-4;      // Of body weight.
 constexpr double kKktTolerance = 1e-6;        // Scaled as Ipopt scales.
 constexpr double kViolationTolerance = 1e-6;  // SI.
-constexpr double kStandardGravity_mps2 = 9.80665;
 
 std::vector<std::string> FilesOf(const std::filesystem::path& folder, const std::string& prefix) {
   std::vector<std::string> names;

@@ -120,7 +120,7 @@ TEST_P(SolverStatusTest, FlightOverTheWholeHorizonIsSolvedBallistically) {
     const MpcSolution solution = ColdSolve(ocp);
     ASSERT_EQ(solution.status, SolveStatus::kSolved);
     // Explicit Euler: p[4] = p[0] + T sum v[k] with v[k] = v[0] + k T a, sum k = 6.
-    const Eigen::Vector3d expected(0.4, 0.01 * 6 * 2.0, -0.01 * 6 * 9.80665);
+    const Eigen::Vector3d expected(0.4, 0.01 * 6 * 2.0, -0.01 * 6 * kStandardGravity_mps2);
     EXPECT_LT((solution.p_WC.col(4) - expected).norm(), 1e-9);
     EXPECT_LT(solution.constraint_violation, 1e-9);
   }
