@@ -7,10 +7,9 @@
 
 namespace sidestep::mpc {
 
-std::unique_ptr<CentroidalSolver> MakeSolver(const std::string& name,
-                                             const SolverOptions& options) {
-  if (name == "structured") return MakeStructuredSolver(options);
-  SIDESTEP_REQUIRE(name == "ipopt", name);
+std::unique_ptr<CentroidalSolver> MakeSolver(MpcBackend backend, const SolverOptions& options) {
+  if (backend == MpcBackend::kStructured) return MakeStructuredSolver(options);
+  SIDESTEP_REQUIRE(backend == MpcBackend::kIpopt, static_cast<int>(backend));
   return MakeIpoptSolver(options);
 }
 

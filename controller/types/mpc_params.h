@@ -4,7 +4,8 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <string>
+#include <string_view>
+#include <utility>
 
 #include "controller/types/field.h"
 
@@ -35,14 +36,28 @@ struct MpcWeights {
   }
 };
 
-/// What MpcParams::backend may be.
-inline const std::array<std::string, 2> kMpcBackends{"ipopt", "structured"};
+/// The solvers of the optimal control problem.
+enum class MpcBackend {
+  kIpopt,       ///< The reference: Ipopt with exact derivatives.
+  kStructured,  ///< An interior point method of our own that exploits the stages.
+};
 
+template <>
+struct EnumNames<MpcBackend> {
+  static constexpr std::array<std::pair<MpcBackend, std::string_view>, 2> kNames{
+      {{MpcBackend::kIpopt, "ipopt"}, {MpcBackend::kStructured, "structured"}}};
+};
+
+/// Every back end, for tests and benchmarks that go through all.
+inline constexpr std::array<MpcBackend, 2> kMpcBackends{MpcBackend::kIpopt,
+                                                        MpcBackend::kStructured};
+
+/// What the centroidal MPC may be told.
 struct MpcParams {
   double rate_hz{10.0};  ///< Solves a second.
   int knots{15};         ///< N.
   double step_s{0.1};    ///< T.
-  std::string backend{"structured"};
+  MpcBackend backend{MpcBackend::kStructured};
   double latency_s{0.0};   ///< A solution is used this long after its measurement.
   double tolerance{1e-6};  ///< Of the scaled optimality conditions.
   int max_iterations{100};

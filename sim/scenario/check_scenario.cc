@@ -53,11 +53,6 @@ void CheckRates(const Scenario& scenario, const ConfigTree& root) {
 }
 
 void CheckMpc(const MpcParams& mpc, const ConfigTree& root) {
-  if (std::find(kMpcBackends.begin(), kMpcBackends.end(), mpc.backend) == kMpcBackends.end()) {
-    FailAtPath(root, "control.mpc.backend",
-               "= '" + mpc.backend + "' is not known; " +
-                   DidYouMean(mpc.backend, kMpcBackends, "known values"));
-  }
   for (int axis = 0; axis < 3; ++axis) {
     if (mpc.box_lower_m[axis] <= mpc.box_upper_m[axis]) continue;
     const std::string index = "." + std::to_string(axis);

@@ -80,8 +80,7 @@ CentroidalOcp Perturbed(CentroidalOcp ocp) {
   return ocp;
 }
 
-void Solve(benchmark::State& state, const std::string& back_end, const std::string& name,
-           bool is_warm) {
+void Solve(benchmark::State& state, MpcBackend back_end, const std::string& name, bool is_warm) {
   const CentroidalOcp ocp = ReferenceProblem(name);
   const auto solver = MakeSolver(back_end, {});
   const MpcSolution guess = solver->Solve(Perturbed(ocp), nullptr);
@@ -107,14 +106,14 @@ void Solve(benchmark::State& state, const std::string& back_end, const std::stri
   state.counters["not_evaluation"] = 1.0 - iterations * EvaluationTime_ms(ocp) / cpu_ms;
 }
 
-#define SIDESTEP_MPC_BENCH(name)                                               \
-  BENCHMARK_CAPTURE(Solve, name##_ipopt_cold, "ipopt", #name, false)           \
-      ->Unit(benchmark::kMillisecond);                                         \
-  BENCHMARK_CAPTURE(Solve, name##_ipopt_warm, "ipopt", #name, true)            \
-      ->Unit(benchmark::kMillisecond);                                         \
-  BENCHMARK_CAPTURE(Solve, name##_structured_cold, "structured", #name, false) \
-      ->Unit(benchmark::kMillisecond);                                         \
-  BENCHMARK_CAPTURE(Solve, name##_structured_warm, "structured", #name, true)  \
+#define SIDESTEP_MPC_BENCH(name)                                                          \
+  BENCHMARK_CAPTURE(Solve, name##_ipopt_cold, MpcBackend::kIpopt, #name, false)           \
+      ->Unit(benchmark::kMillisecond);                                                    \
+  BENCHMARK_CAPTURE(Solve, name##_ipopt_warm, MpcBackend::kIpopt, #name, true)            \
+      ->Unit(benchmark::kMillisecond);                                                    \
+  BENCHMARK_CAPTURE(Solve, name##_structured_cold, MpcBackend::kStructured, #name, false) \
+      ->Unit(benchmark::kMillisecond);                                                    \
+  BENCHMARK_CAPTURE(Solve, name##_structured_warm, MpcBackend::kStructured, #name, true)  \
       ->Unit(benchmark::kMillisecond)
 
 SIDESTEP_MPC_BENCH(hopper_pushed_5N_lateral);

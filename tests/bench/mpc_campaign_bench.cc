@@ -46,8 +46,8 @@ int Main(int argc, char** argv) {
   const auto first = static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10));
   const auto end = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
   const bool with_ipopt = argc == 3;
-  const auto structured = MakeSolver("structured", {});
-  const auto ipopt = MakeSolver("ipopt", {});
+  const auto structured = MakeSolver(MpcBackend::kStructured, {});
+  const auto ipopt = MakeSolver(MpcBackend::kIpopt, {});
   Counts counts;
   Timings timings;
   for (unsigned seed = first; seed < end; ++seed) {

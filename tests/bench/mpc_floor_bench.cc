@@ -124,7 +124,7 @@ int Main() {
   std::printf(
       "| problem | iterations | us an iteration | kflop a factorisation | GFlop/s | FMA loop, "
       "GFlop/s | share |\n| --- | --: | --: | --: | --: | --: | --: |\n");
-  const auto solver = MakeSolver("structured", {});
+  const auto solver = MakeSolver(MpcBackend::kStructured, {});
   for (const std::string& folder : RecordedFolders()) {
     const CentroidalOcp ocp = ReadProblem(ProblemFiles(RecordedFolder() / folder).front());
     const Figures f = Measure(ocp, solver.get());

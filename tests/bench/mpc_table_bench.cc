@@ -53,8 +53,8 @@ class BackEnds {
   }
 
  private:
-  std::unique_ptr<CentroidalSolver> ipopt_{MakeSolver("ipopt", {})};
-  std::unique_ptr<CentroidalSolver> structured_{MakeSolver("structured", {})};
+  std::unique_ptr<CentroidalSolver> ipopt_{MakeSolver(MpcBackend::kIpopt, {})};
+  std::unique_ptr<CentroidalSolver> structured_{MakeSolver(MpcBackend::kStructured, {})};
 };
 
 double P50(const Timings& timings) { return Quantile(timings.times_ms, 0.50); }

@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 
 struct SolveArguments {
   std::filesystem::path problem;
-  std::string backend{"ipopt"};
+  MpcBackend backend{MpcBackend::kIpopt};
   int repeat{1};
   std::filesystem::path out;
   mpc::SolverOptions options;
@@ -50,6 +50,18 @@ mpc::CentroidalOcp OcpOf(Json problem, const std::filesystem::path& file) {
   } catch (const ConfigError& error) {
     throw ConfigError(file.string() + ": error: " + error.what());
   }
+}
+
+std::vector<std::string> BackendNames() {
+  std::vector<std::string> names;
+  for (const MpcBackend backend : kMpcBackends) names.emplace_back(EnumName(backend));
+  return names;
+}
+
+// The back end of a name that BackendNames() has.
+MpcBackend BackendCalled(const std::string& name) {
+  return *std::find_if(kMpcBackends.begin(), kMpcBackends.end(),
+                       [&](MpcBackend backend) { return EnumName(backend) == name; });
 }
 
 // Value below which a share `q` of the sorted samples lies (nearest rank).
@@ -96,9 +108,13 @@ void AddSolveCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("solve", "Solve one MPC problem from a JSON file");
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("PROBLEM", arguments->problem, "Problem file (JSON)")->required();
-  command->add_option("--backend", arguments->backend, "Solver")
-      ->check(CLI::IsMember(std::vector<std::string>(kMpcBackends.begin(), kMpcBackends.end())))
-      ->capture_default_str();
+  command
+      ->add_option_function<std::string>(
+          "--backend",
+          [arguments](const std::string& name) { arguments->backend = BackendCalled(name); },
+          "Solver")
+      ->check(CLI::IsMember(BackendNames()))
+      ->default_str(std::string(EnumName(arguments->backend)));
   command->add_option("--repeat", arguments->repeat, "Cold solves, for the times")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

@@ -114,7 +114,7 @@ TEST(OcpJsonTest, ASolutionBlockIsReadAndWrittenUnchanged) {
 
 TEST(OcpJsonTest, ASolvedProblemSurvivesTheRoundTripBitForBit) {
   const CentroidalOcp ocp = ReferenceProblem(kExample);
-  const MpcSolution solution = MakeSolver("ipopt", {})->Solve(ocp, nullptr);
+  const MpcSolution solution = MakeSolver(MpcBackend::kIpopt, {})->Solve(ocp, nullptr);
   const MpcSolution back = SolutionFromJson(ocp, json::parse(SolutionToJson(ocp, solution).dump()));
   EXPECT_EQ(back.status, SolveStatus::kSolved);
   EXPECT_EQ(back.cost, solution.cost);
@@ -126,7 +126,7 @@ TEST(OcpJsonTest, ASolvedProblemSurvivesTheRoundTripBitForBit) {
 
 TEST(OcpJsonTest, AnInfeasibleSolutionIsWrittenAsNulls) {
   const CentroidalOcp ocp = ReferenceProblem("infeasible_inverted_box");
-  const MpcSolution solution = MakeSolver("ipopt", {})->Solve(ocp, nullptr);
+  const MpcSolution solution = MakeSolver(MpcBackend::kIpopt, {})->Solve(ocp, nullptr);
   const json expected = {{"status", "infeasible"},
                          {"cost", nullptr},
                          {"constraint_violation", nullptr},

@@ -48,15 +48,15 @@ std::string CaseName(const testing::TestParamInfo<std::string>& info) {
 }
 
 /// A back end and a file.
-using Case = std::tuple<std::string, std::string>;
+using Case = std::tuple<MpcBackend, std::string>;
 
 std::string PairName(const testing::TestParamInfo<Case>& info) {
-  std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
+  std::string name = std::string(EnumName(std::get<0>(info.param))) + "_" + std::get<1>(info.param);
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
 }
 
-const auto kBackEnds = testing::Values("ipopt", "structured");
+const auto kBackEnds = testing::ValuesIn(kMpcBackends);
 
 void ExpectSameMotion(const CentroidalOcp& ocp, const MpcSolution& solution,
                       const MpcSolution& expected) {

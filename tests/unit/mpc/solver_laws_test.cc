@@ -90,7 +90,7 @@ void ExpectCorresponds(const CentroidalOcp& ocp, const MpcSolution& a, const Mpc
 }
 
 /// A back end and a problem.
-class SolverLawsTest : public testing::TestWithParam<std::tuple<const char*, const char*>> {
+class SolverLawsTest : public testing::TestWithParam<std::tuple<MpcBackend, const char*>> {
  protected:
   static std::unique_ptr<CentroidalSolver> Solver() {
     return MakeSolver(std::get<0>(GetParam()), {});
@@ -121,7 +121,7 @@ TEST_P(SolverLawsTest, SolvingTwiceGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, SolverLawsTest,
-                         testing::Combine(testing::Values("ipopt", "structured"),
+                         testing::Combine(testing::ValuesIn(kMpcBackends),
                                           testing::Values("icub_yawed_step_up_tilted",
                                                           "icub_fast_velocity_error_previous_force",
                                                           "icub_forward_40N_double_support",
@@ -129,10 +129,11 @@ INSTANTIATE_TEST_SUITE_P(Problems, SolverLawsTest,
                                                           "biped_walk_to_run",
                                                           "hopper_flight_first_travelling")),
                          [](const auto& at) {
-                           return std::string(std::get<0>(at.param)) + "_" + std::get<1>(at.param);
+                           return std::string(EnumName(std::get<0>(at.param))) + "_" +
+                                  std::get<1>(at.param);
                          });
 
-class WarmStartTest : public testing::TestWithParam<const char*> {};
+class WarmStartTest : public testing::TestWithParam<MpcBackend> {};
 
 TEST_P(WarmStartTest, ShiftedSolutionReachesTheSameOptimumInFewerIterations) {
   const auto solver = MakeSolver(GetParam(), {});
@@ -181,8 +182,8 @@ TEST_P(WarmStartTest, PushedHopperFollowedOverASecondNeverEndsInAWorseMinimumTha
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, WarmStartTest, testing::Values("ipopt", "structured"),
-                         [](const auto& at) { return std::string(at.param); });
+INSTANTIATE_TEST_SUITE_P(BackEnds, WarmStartTest, testing::ValuesIn(kMpcBackends),
+                         [](const auto& at) { return std::string(EnumName(at.param)); });
 
 }  // namespace
 }  // namespace sidestep::mpc::solver_laws_test

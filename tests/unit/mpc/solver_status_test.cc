@@ -25,7 +25,7 @@ CentroidalOcp LandingHopper() {
   return ocp;
 }
 
-class SolverStatusTest : public testing::TestWithParam<const char*> {
+class SolverStatusTest : public testing::TestWithParam<MpcBackend> {
  protected:
   static MpcSolution ColdSolve(const CentroidalOcp& ocp, const SolverOptions& options = {}) {
     return MakeSolver(GetParam(), options)->Solve(ocp, nullptr);
@@ -165,11 +165,11 @@ TEST_P(SolverStatusTest, BrokenContractsThrow) {
   CentroidalOcp broken = ocp;
   broken.external_force_N.resize(3, 2);
   EXPECT_THROW(solver->Solve(broken, nullptr), ContractViolation);
-  EXPECT_THROW(MakeSolver("no_such_back_end", {}), ContractViolation);
+  EXPECT_THROW(MakeSolver(static_cast<MpcBackend>(7), {}), ContractViolation);
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, SolverStatusTest, testing::Values("ipopt", "structured"),
-                         [](const auto& at) { return std::string(at.param); });
+INSTANTIATE_TEST_SUITE_P(BackEnds, SolverStatusTest, testing::ValuesIn(kMpcBackends),
+                         [](const auto& at) { return std::string(EnumName(at.param)); });
 
 TEST(SolveStatusTest, StatusesHaveTheirOwnNames) {
   EXPECT_EQ(EnumName(SolveStatus::kNotSolved), "not_solved");

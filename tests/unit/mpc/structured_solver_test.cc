@@ -21,7 +21,7 @@ constexpr unsigned kNumAgainstIpopt = 40;
 #endif
 
 TEST(StructuredSolverTest, RandomProblemsAreSolvedOrCalledInfeasibleAndNothingElse) {
-  const auto solver = MakeSolver("structured", {});
+  const auto solver = MakeSolver(MpcBackend::kStructured, {});
   int num_infeasible = 0;
   for (unsigned seed = 0; seed < kNumRandom; ++seed) {
     SCOPED_TRACE(seed);
@@ -42,8 +42,8 @@ TEST(StructuredSolverTest, RandomProblemsAreSolvedOrCalledInfeasibleAndNothingEl
 }
 
 TEST(StructuredSolverTest, StatusesAgreeWithIpoptAndCostsAreMostlyNoHigher) {
-  const auto structured = MakeSolver("structured", {});
-  const auto ipopt = MakeSolver("ipopt", {});
+  const auto structured = MakeSolver(MpcBackend::kStructured, {});
+  const auto ipopt = MakeSolver(MpcBackend::kIpopt, {});
   int num_higher = 0;
   for (unsigned seed = 1000; seed < 1000 + kNumAgainstIpopt; ++seed) {
     SCOPED_TRACE(seed);
@@ -58,7 +58,7 @@ TEST(StructuredSolverTest, StatusesAgreeWithIpoptAndCostsAreMostlyNoHigher) {
 }
 
 TEST(StructuredSolverTest, AWildGuessLeadsBackToAnOptimum) {
-  const auto solver = MakeSolver("structured", {});
+  const auto solver = MakeSolver(MpcBackend::kStructured, {});
   Numbers numbers(7);
   for (const double size : {1.0, 1e3}) {
     const CentroidalOcp ocp = ReferenceProblem("icub_forward_40N_just_landed");
@@ -96,8 +96,8 @@ TEST(StructuredSolverTest, ManyFeetWithOtherNumbersOfVerticesAgreeWithIpopt) {
   sole.phases = {FreePhase(3, 7, {0.0, -0.1, 0.0}, {0.1, 0.0, 0.0}),
                  FreePhase(9, 12, {0.2, -0.1, 0.0}, {0.1, 0.1, 0.1})};
   ocp.contacts = {point, triangle, sole};
-  const MpcSolution ours = MakeSolver("structured", {})->Solve(ocp, nullptr);
-  const MpcSolution theirs = MakeSolver("ipopt", {})->Solve(ocp, nullptr);
+  const MpcSolution ours = MakeSolver(MpcBackend::kStructured, {})->Solve(ocp, nullptr);
+  const MpcSolution theirs = MakeSolver(MpcBackend::kIpopt, {})->Solve(ocp, nullptr);
   ASSERT_EQ(ours.status, SolveStatus::kSolved);
   ASSERT_EQ(theirs.status, SolveStatus::kSolved);
   EXPECT_NEAR(ours.cost, theirs.cost, 1e-7 * theirs.cost);
@@ -113,7 +113,7 @@ TEST(StructuredSolverTest, ManyFeetWithOtherNumbersOfVerticesAgreeWithIpopt) {
 
 TEST(StructuredSolverTest, IterationsGrowLittleWithTheHorizon) {
   // The work an iteration is linear in N by construction; so must be the work a solve.
-  const auto solver = MakeSolver("structured", {});
+  const auto solver = MakeSolver(MpcBackend::kStructured, {});
   const MpcSolution& small = solver->Solve(ReferenceProblem("icub_nominal_just_landed"), nullptr);
   const int small_iterations = small.iterations;
   const MpcSolution& large = solver->Solve(ReferenceProblem("icub_N30_friction_1"), nullptr);

@@ -46,7 +46,7 @@ struct Counted {
 TEST(HumanoidTickAllocationTest, WalkingAndPushedIcubTakesNoMemoryInAnyTick) {
   const Scenario scenario = PushedWalk();
   ASSERT_EQ(scenario.control.mode, ControlMode::kPosition);
-  ASSERT_EQ(scenario.control.mpc.backend, "structured");
+  ASSERT_EQ(scenario.control.mpc.backend, MpcBackend::kStructured);
   Counted counted;
   RunControlLoop(scenario, kWarmUp_s + kCounted_s,
                  [&](Tick tick, const SensorFrame& frame, LocomotionController* controller,

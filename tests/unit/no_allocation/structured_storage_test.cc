@@ -16,7 +16,7 @@ namespace {
 
 TEST(StructuredStorageTest, AHundredConsecutiveSolvesOfChangingSchedulesAllocateNothing) {
   // Prepared beforehand: a walk followed for 25 steps, whose contacts come and go.
-  const auto solver = MakeSolver("structured", {});
+  const auto solver = MakeSolver(MpcBackend::kStructured, {});
   std::vector<CentroidalOcp> problems{ReferenceProblem("biped_walk_double_support")};
   std::vector<MpcSolution> solutions;
   for (int step = 0; step < 24; ++step) {
@@ -29,7 +29,7 @@ TEST(StructuredStorageTest, AHundredConsecutiveSolvesOfChangingSchedulesAllocate
   for (std::size_t i = 1; i < problems.size(); ++i) {
     ShiftedGuess(problems[i - 1], solutions[i - 1], 1, problems[i], &guesses[i]);
   }
-  const auto fresh = MakeSolver("structured", {});
+  const auto fresh = MakeSolver(MpcBackend::kStructured, {});
   // The answer's own list of phases may grow by one within the first schedules.
   for (const CentroidalOcp& ocp : problems) fresh->Solve(ocp, nullptr);
   const std::int64_t before = CountAllocations();
@@ -77,7 +77,7 @@ TEST(StructuredStorageTest, TheWholeStageOfTheControlChainAllocatesNothingOnceIt
   params.step_s = 0.1;
   params.friction = 0.6;
   params.latency_s = 0.02;
-  params.backend = "structured";
+  params.backend = MpcBackend::kStructured;
   RobotModel robot;
   robot.mass_kg = 30.0;
   robot.foot_names = {"left", "right"};

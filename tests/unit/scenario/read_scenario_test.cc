@@ -29,7 +29,7 @@ TEST_F(ReadScenarioTest, FourKeysAreEnough) {
   const Scenario scenario = Read("sidestep: 1\nname: a\nrobot: mini\nduration_s: 1\n");
   EXPECT_EQ(scenario.plant, Plant::kMujoco);
   EXPECT_EQ(scenario.seed, 1U);
-  EXPECT_EQ(scenario.control.mpc.backend, "structured");
+  EXPECT_EQ(scenario.control.mpc.backend, MpcBackend::kStructured);
   ASSERT_EQ(scenario.gait.size(), 1U);
   EXPECT_EQ(scenario.gait[0].type, GaitType::kStand);
   EXPECT_TRUE(scenario.pushes.empty());

@@ -49,8 +49,8 @@ class RecordedProblemsTest : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(RecordedProblemsTest, FollowedWarmTheAnswersAreIpoptsOrLower) {
-  const auto structured = MakeSolver("structured", {});
-  const auto ipopt = MakeSolver("ipopt", {});
+  const auto structured = MakeSolver(MpcBackend::kStructured, {});
+  const auto ipopt = MakeSolver(MpcBackend::kIpopt, {});
   CentroidalOcp before;
   MpcSolution answer;
   for (const std::filesystem::path& path : Files()) {
