@@ -19,7 +19,7 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
                           const GridReferences& references, Tick tick) {
   builder_.Build(state, plan, references, tick);
   CentroidalOcp& ocp = builder_.ocp();
-  GivePreviousForce(&ocp, tick);
+  SetPreviousForces(&ocp, tick);
   const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp, tick));
   report_ = {true,
              solution.status,
@@ -28,14 +28,14 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
              solution.constraint_violation,
              solution.kkt_error,
              !IsUsable(solution.status)};
-  if (IsUsable(solution.status)) Keep(ocp, solution, tick);
+  if (IsUsable(solution.status)) StorePlan(ocp, solution, tick);
 }
 
 bool CentroidalMpc::Activate(Tick tick) {
-  const Plan* before = active_;
+  const std::size_t before = active_;
   while (!waiting_.empty()) {
     // The very first plan is taken at once: there is nothing to go on with until it comes of age.
-    if (active_ != nullptr && tick < waiting_.front()->tick + latency_ticks_) break;
+    if (has_plan() && tick < plans_[waiting_.front()].tick + latency_ticks_) break;
     active_ = waiting_.front();
     waiting_.erase(waiting_.begin());
   }
@@ -48,13 +48,14 @@ int CentroidalMpc::KnotAt(const Plan& plan, Tick tick) const {
 }
 
 ComTarget CentroidalMpc::ComAt(Tick tick) const {
-  const MpcSolution& solution = active_->solution;
-  const int k = KnotAt(*active_, tick);
-  const double within_s = SecondsAt(tick - active_->tick - k * step_ticks_, tick_s_);
-  const double mass_kg = active_->ocp.mass_kg;
+  const Plan& plan = Active();
+  const MpcSolution& solution = plan.solution;
+  const int k = KnotAt(plan, tick);
+  const double within_s = SecondsAt(tick - plan.tick - k * step_ticks_, tick_s_);
+  const double mass_kg = plan.ocp.mass_kg;
   ComTarget target;
   target.a_WC = (solution.linear_momentum.col(k + 1) - solution.linear_momentum.col(k)) /
-                (mass_kg * active_->ocp.step_s);
+                (mass_kg * plan.ocp.step_s);
   const Eigen::Vector3d v_WC = solution.linear_momentum.col(k) / mass_kg;
   target.v_WC = v_WC + within_s * target.a_WC;
   target.p_WC = solution.p_WC.col(k) + within_s * v_WC + 0.5 * within_s * within_s * target.a_WC;
@@ -62,60 +63,63 @@ ComTarget CentroidalMpc::ComAt(Tick tick) const {
 }
 
 const Eigen::Matrix3Xd& CentroidalMpc::ForceAt(std::size_t foot, Tick tick) const {
-  const auto k = static_cast<std::size_t>(KnotAt(*active_, tick));
-  return active_->solution.contacts[foot].force_N[k];
+  const auto k = static_cast<std::size_t>(KnotAt(Active(), tick));
+  return Active().solution.contacts[foot].force_N[k];
 }
 
 double CentroidalMpc::Age_s(Tick tick) const {
-  return active_ == nullptr ? 0.0 : SecondsAt(tick - active_->tick, tick_s_);
+  return has_plan() ? SecondsAt(tick - Active().tick, tick_s_) : 0.0;
 }
 
 const MpcSolution* CentroidalMpc::WarmStart(const CentroidalOcp& ocp, Tick tick) {
-  if (newest_ == nullptr) return nullptr;
-  const Tick elapsed = tick - newest_->tick;
+  if (newest_ == kNone) return nullptr;
+  const Plan& newest = plans_[newest_];
+  const Tick elapsed = tick - newest.tick;
   const int shift = static_cast<int>((2 * elapsed + step_ticks_) / (2 * step_ticks_));
   if (shift >= ocp.knots) return nullptr;  // nothing of the old horizon is left
-  ShiftedGuess(newest_->ocp, newest_->solution, shift, ocp, &guess_);
+  ShiftedGuess(newest.ocp, newest.solution, shift, ocp, &guess_);
   return &guess_;
 }
 
 // A foot that stands and stood when the plan in use was made has a force to change smoothly from.
-void CentroidalMpc::GivePreviousForce(CentroidalOcp* ocp, Tick tick) const {
-  if (active_ == nullptr) return;
-  const Tick before = std::max(tick - 1, active_->tick);
+void CentroidalMpc::SetPreviousForces(CentroidalOcp* ocp, Tick tick) const {
+  if (!has_plan()) return;
+  const Tick before = std::max(tick - 1, Active().tick);
   for (std::size_t foot = 0; foot < ocp->contacts.size(); ++foot) {
     OcpContact& contact = ocp->contacts[foot];
-    const int k = KnotAt(*active_, before);
+    const int k = KnotAt(Active(), before);
     contact.has_previous_force =
-        ActivePhase(contact, 0) >= 0 && ActivePhase(active_->ocp.contacts[foot], k) >= 0;
+        ActivePhase(contact, 0) >= 0 && ActivePhase(Active().ocp.contacts[foot], k) >= 0;
     if (contact.has_previous_force) contact.previous_force_N = ForceAt(foot, before);
   }
 }
 
-CentroidalMpc::Plan* CentroidalMpc::FreeSlot() {
-  const auto slot = std::find_if(plans_.begin(), plans_.end(), [&](const Plan& plan) {
-    return &plan != active_ && &plan != newest_ &&
-           std::find(waiting_.begin(), waiting_.end(), &plan) == waiting_.end();
-  });
-  return slot != plans_.end() ? &*slot : &plans_.emplace_back();
+std::size_t CentroidalMpc::FreeSlot() {
+  for (std::size_t slot = 0; slot < plans_.size(); ++slot) {
+    const bool is_waiting = std::find(waiting_.begin(), waiting_.end(), slot) != waiting_.end();
+    if (slot != active_ && slot != newest_ && !is_waiting) return slot;
+  }
+  plans_.emplace_back();
+  return plans_.size() - 1;
 }
 
-void CentroidalMpc::Keep(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick) {
-  Plan* plan = FreeSlot();
-  plan->tick = tick;
-  plan->ocp = ocp;
-  plan->solution = solution;
-  plan->footholds.clear();
+void CentroidalMpc::StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick) {
+  const std::size_t slot = FreeSlot();
+  Plan& plan = plans_[slot];
+  plan.tick = tick;
+  plan.ocp = ocp;
+  plan.solution = solution;
+  plan.footholds.clear();
   for (std::size_t foot = 0; foot < ocp.contacts.size(); ++foot) {
     const auto& phases = ocp.contacts[foot].phases;
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
       if (phases[phase].fixed) continue;
-      plan->footholds.push_back({static_cast<int>(foot), builder_.PlannedIndex(foot, phase),
-                                 solution.contacts[foot].phase_p_WF[phase]});
+      plan.footholds.push_back({static_cast<int>(foot), builder_.PlannedIndex(foot, phase),
+                                solution.contacts[foot].phase_p_WF[phase]});
     }
   }
-  newest_ = plan;
-  waiting_.push_back(plan);
+  newest_ = slot;
+  waiting_.push_back(slot);
 }
 
 }  // namespace sidestep::mpc

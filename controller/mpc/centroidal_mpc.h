@@ -3,8 +3,8 @@
 // centroidal_mpc: the MPC as a stage of the control chain: builds, warm-starts, solves, keeps the
 // plan in use, and falls back to the previous plan when a solve fails.
 
+#include <cstddef>
 #include <deque>
-#include <memory>
 #include <vector>
 
 #include "controller/mpc/problem/centroidal_solver.h"
@@ -20,6 +20,8 @@ struct Foothold {
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
 };
 
+/// The stage. Copyable at any tick: original and copy go on bit for bit alike and share nothing.
+/// The copy's storage grows anew, as after a start.
 class CentroidalMpc {
  public:
   CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s);
@@ -34,10 +36,10 @@ class CentroidalMpc {
   bool Activate(Tick tick);
 
   /// True once there is a plan to read.
-  bool has_plan() const { return active_ != nullptr; }
+  bool has_plan() const { return active_ != kNone; }
 
   /// Footholds that the plan in use decided: landings ahead of it when it was made.
-  const std::vector<Foothold>& footholds() const { return active_->footholds; }
+  const std::vector<Foothold>& footholds() const { return Active().footholds; }
 
   /// CoM motion that the plan implies at `tick`: constant acceleration within a knot.
   ComTarget ComAt(Tick tick) const;
@@ -63,21 +65,24 @@ class CentroidalMpc {
     std::vector<Foothold> footholds;
   };
 
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
   int KnotAt(const Plan& plan, Tick tick) const;
   const MpcSolution* WarmStart(const CentroidalOcp& ocp, Tick tick);
-  void GivePreviousForce(CentroidalOcp* ocp, Tick tick) const;
-  void Keep(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick);
-  Plan* FreeSlot();
+  void SetPreviousForces(CentroidalOcp* ocp, Tick tick) const;
+  void StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick);
+  std::size_t FreeSlot();
+  const Plan& Active() const { return plans_[active_]; }
 
   double tick_s_;
   Tick step_ticks_;
   Tick latency_ticks_;
   ProblemBuilder builder_;
-  std::unique_ptr<CentroidalSolver> solver_;
-  std::deque<Plan> plans_;       // as many as are in use or waiting at once; never move
-  std::vector<Plan*> waiting_;   // younger than the latency, oldest first
-  const Plan* newest_{nullptr};  // last usable solution: the next warm start
-  const Plan* active_{nullptr};  // in use
+  SolverValue solver_;
+  std::deque<Plan> plans_;            // as many as are in use or waiting at once; never move
+  std::vector<std::size_t> waiting_;  // of plans_: younger than the latency, oldest first
+  std::size_t newest_{kNone};         // of plans_: last usable solution, the next warm start
+  std::size_t active_{kNone};         // of plans_: in use
   MpcSolution guess_;
   MpcReport report_;
 };

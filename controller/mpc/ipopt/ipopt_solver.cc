@@ -128,6 +128,9 @@ class IpoptSolver final : public CentroidalSolver {
   }
 
   const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) override;
+  std::unique_ptr<CentroidalSolver> Clone() const override {
+    return std::make_unique<IpoptSolver>(options_);
+  }
 
  private:
   void Optimise(const CentroidalOcp& ocp, bool is_warm);

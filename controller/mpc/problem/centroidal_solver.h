@@ -2,6 +2,9 @@
 #pragma once
 // centroidal_solver: the small interface behind which back ends solve a CentroidalOcp.
 
+#include <memory>
+#include <utility>
+
 #include "controller/mpc/problem/centroidal_ocp.h"
 #include "controller/mpc/problem/mpc_solution.h"
 
@@ -13,7 +16,8 @@ struct SolverOptions {
   int max_iterations{200};
 };
 
-/// A solver of CentroidalOcp. Not thread-safe; one instance a controller.
+/// A solver of CentroidalOcp. Not thread-safe; one instance a controller. Its answer depends on the
+/// problem, the guess and the options alone: what it keeps between solves is memory, not knowledge.
 class CentroidalSolver {
  public:
   virtual ~CentroidalSolver() = default;
@@ -22,6 +26,29 @@ class CentroidalSolver {
   /// and contact schedule, usually ShiftedGuess() of the previous solution; shapes must match.
   /// The reference stays valid until the next call. Never throws on a hard problem.
   virtual const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) = 0;
+
+  /// A solver with the same options, which answers every problem bit for bit as this one does. It
+  /// shares nothing with this one, and its memory grows anew.
+  virtual std::unique_ptr<CentroidalSolver> Clone() const = 0;
+};
+
+/// A CentroidalSolver held as a value, so that its owner can be copied: a copy has a clone.
+class SolverValue {
+ public:
+  explicit SolverValue(std::unique_ptr<CentroidalSolver> solver) : solver_(std::move(solver)) {}
+  SolverValue(const SolverValue& other) : solver_(other.solver_->Clone()) {}
+  SolverValue(SolverValue&&) = default;
+  SolverValue& operator=(const SolverValue& other) {
+    solver_ = other.solver_->Clone();
+    return *this;
+  }
+  SolverValue& operator=(SolverValue&&) = default;
+  ~SolverValue() = default;
+
+  CentroidalSolver* operator->() { return solver_.get(); }
+
+ private:
+  std::unique_ptr<CentroidalSolver> solver_;
 };
 
 }  // namespace sidestep::mpc

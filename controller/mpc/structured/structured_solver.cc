@@ -23,6 +23,9 @@ class StructuredSolver final : public CentroidalSolver {
   explicit StructuredSolver(const SolverOptions& options) : options_(options) {}
 
   const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) override;
+  std::unique_ptr<CentroidalSolver> Clone() const override {
+    return std::make_unique<StructuredSolver>(options_);
+  }
 
  private:
   structured::Summary Minimize(const CentroidalOcp& ocp, const MpcSolution& start, bool is_warm,
