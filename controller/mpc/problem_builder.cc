@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "controller/types/friction_pyramid.h"
+
 namespace sidestep::mpc {
 namespace {
 
@@ -14,12 +16,6 @@ int NearestKnot(Tick offset, Tick step_ticks) {
 }
 
 }  // namespace
-
-Eigen::MatrixX3d FrictionPyramid(double friction) {
-  Eigen::MatrixX3d A(4, 3);
-  A << 1, 1, -friction, -1, 1, -friction, -1, -1, -friction, 1, -1, -friction;
-  return A;
-}
 
 ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot, double tick_s)
     : params_(params), step_ticks_(TickAt(params.step_s, tick_s)) {

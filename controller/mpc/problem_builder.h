@@ -56,8 +56,4 @@ class ProblemBuilder {
   std::vector<std::vector<int>> planned_;
 };
 
-/// The pyramid |fx| + |fy| <= mu fz as rows of A f <= 0 (4 x 3): inside the circular cone, so that
-/// a plan that keeps it does not slip.
-Eigen::MatrixX3d FrictionPyramid(double friction);
-
 }  // namespace sidestep::mpc

@@ -164,21 +164,5 @@ TEST_F(ProblemBuilderTest, EachProblemStartsWithoutAPreviousForce) {
   EXPECT_FALSE(Build({Contact(0, 0, 1000)}, 50).contacts[0].has_previous_force);
 }
 
-TEST(FrictionPyramidTest, HoldsWhatItsConeHoldsAtItsCornersAndNeverMore) {
-  const Eigen::MatrixX3d A = FrictionPyramid(0.5);
-  const auto holds = [&](double x, double y, double z) {
-    return (A * Eigen::Vector3d(x, y, z)).maxCoeff() <= 1e-12;
-  };
-  EXPECT_TRUE(holds(0.0, 0.0, 1.0));
-  EXPECT_TRUE(holds(0.5, 0.0, 1.0)) << "the cone's own bound along an axis";
-  EXPECT_FALSE(holds(0.51, 0.0, 1.0));
-  EXPECT_FALSE(holds(0.0, -0.51, 1.0));
-  EXPECT_FALSE(holds(0.3, 0.3, 1.0)) << "inside the cone, outside the pyramid";
-  EXPECT_FALSE(holds(0.0, 0.0, -1.0)) << "the ground does not pull";
-  for (double angle_rad = 0.0; angle_rad < 6.3; angle_rad += 0.1) {
-    EXPECT_FALSE(holds(0.501 * std::cos(angle_rad), 0.501 * std::sin(angle_rad), 1.0));
-  }
-}
-
 }  // namespace
 }  // namespace sidestep::mpc::problem_builder_test

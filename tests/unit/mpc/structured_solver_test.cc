@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "controller/mpc/make_solver.h"
+#include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/shifted_guess.h"
 #include "tests/support/honest_solution.h"
 #include "tests/unit/mpc/random_ocp.h"
