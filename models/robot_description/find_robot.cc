@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cstdlib>
 
 #include "models/robot_description/robot_description.h"
+#include "models/support/data_folder.h"
 
 namespace sidestep {
 namespace {
 
 constexpr const char* kRobotFile = "robot.yaml";
 
-/// The environment's SIDESTEP_MODELS_DIR, else the source tree's models/.
-std::filesystem::path ModelsFolder() {
-  const char* from_environment = std::getenv("SIDESTEP_MODELS_DIR");
-  const bool is_set = from_environment != nullptr && *from_environment != '\0';
-  return is_set ? from_environment : SIDESTEP_MODELS_DIR;
-}
+/// Where a folder a robot lies.
+std::filesystem::path ModelsFolder() { return DataFolder() / "models"; }
 
 bool IsFile(const std::filesystem::path& path) {
   std::error_code ignored;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "models/support/config_error.h"
+#include "sim/scenario/find_scenario.h"
 
 namespace sidestep {
 namespace {
@@ -27,8 +28,8 @@ std::vector<fs::path> YamlFilesIn(const fs::path& folder) {
 std::vector<fs::path> FindScenarios(const std::vector<fs::path>& paths) {
   std::map<fs::path, fs::path> as_given;  // canonical path -> the path to show
   for (const fs::path& path : paths) {
-    if (!fs::exists(path)) throw ConfigError(path.string() + ": error: does not exist");
-    const auto files = fs::is_directory(path) ? YamlFilesIn(path) : std::vector<fs::path>{path};
+    const auto files =
+        fs::is_directory(path) ? YamlFilesIn(path) : std::vector<fs::path>{FindScenario(path)};
     for (const fs::path& file : files) as_given.emplace(fs::canonical(file), file);
   }
   std::vector<fs::path> files;

@@ -7,8 +7,9 @@
 
 namespace sidestep {
 
-/// Files as given, folders searched for *.yaml at any depth; sorted by path, each file once.
-/// @throws ConfigError for a path that does not exist and for a folder without a *.yaml.
+/// Files as given, folders searched for *.yaml at any depth, bare names of shipped scenarios;
+/// sorted by path, each file once.
+/// @throws ConfigError for what is none of them and for a folder without a *.yaml.
 std::vector<std::filesystem::path> FindScenarios(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace sidestep

@@ -119,7 +119,9 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
       app.add_subcommand("check", "Run scenarios, several at once, and tell which pass");
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command->add_option("PATH", arguments->paths, "Scenario files; folders are searched for *.yaml")
+  command
+      ->add_option("PATH", arguments->paths,
+                   "Scenario files or names of shipped ones; folders are searched for *.yaml")
       ->required();
   command->add_option("-j,--jobs", arguments->jobs, "Runs at once")
       ->check(CLI::Range(1, 1024))

@@ -14,6 +14,7 @@
 #include "sim/plot/plot_run.h"
 #include "sim/render/render_run.h"
 #include "sim/report/write_report.h"
+#include "sim/scenario/find_scenario.h"
 #include "sim/scenario/read_scenario.h"
 
 namespace sidestep {
@@ -92,7 +93,7 @@ int ExitCodeOf(VerdictClass verdict_class) {
 }
 
 int Run(const RunArguments& arguments) {
-  const Scenario scenario = ReadScenario(arguments.scenario, arguments.overrides);
+  const Scenario scenario = ReadScenario(FindScenario(arguments.scenario), arguments.overrides);
   const fs::path out_dir =
       arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir;
   PrepareOutFolder(out_dir, arguments.is_forced);
@@ -108,7 +109,9 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Simulate a scenario, judge it and draw it");
   const auto arguments = std::make_shared<RunArguments>();
   arguments->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file")->required();
+  command
+      ->add_option("SCENARIO", arguments->scenario, "Scenario file, or the name of one that ships")
+      ->required();
   command->add_option("-o,--out", arguments->out_dir, "Run folder [renders/<name>]")
       ->type_name("DIR");
   command->add_flag("--force", arguments->is_forced, "Replace the run that lies in the folder");

@@ -35,7 +35,9 @@ int Validate(const ValidateArguments& arguments) {
 void AddValidateCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("validate", "Read scenarios and say what is wrong");
   const auto arguments = std::make_shared<ValidateArguments>();
-  command->add_option("PATH", arguments->paths, "Scenario files; folders are searched for *.yaml")
+  command
+      ->add_option("PATH", arguments->paths,
+                   "Scenario files or names of shipped ones; folders are searched for *.yaml")
       ->required();
   AddSetOption(*command, arguments->overrides);
   command->callback([arguments, &exit_code] { exit_code = Validate(*arguments); });

@@ -15,9 +15,9 @@ class FindRobotTest : public testing::Test {
     for (const char* file : {"models/b/robot.yaml", "models/a/robot.yaml", "models/mjcf/mjcf.h"}) {
       folder_.Write(file, "");
     }
-    setenv("SIDESTEP_MODELS_DIR", (folder_.path() / "models").c_str(), 1);
+    setenv("SIDESTEP_DATA_DIR", folder_.path().c_str(), 1);
   }
-  ~FindRobotTest() override { unsetenv("SIDESTEP_MODELS_DIR"); }
+  ~FindRobotTest() override { unsetenv("SIDESTEP_DATA_DIR"); }
 
   const TempFolder folder_;
 };
@@ -49,18 +49,18 @@ TEST_F(FindRobotTest, FindsNothingForAnUnknownNameOrAFolder) {
 }
 
 TEST_F(FindRobotTest, ListsNothingWhereThereIsNoFolder) {
-  setenv("SIDESTEP_MODELS_DIR", "/nowhere/at/all", 1);
+  setenv("SIDESTEP_DATA_DIR", "/nowhere/at/all", 1);
   EXPECT_TRUE(ShippedRobots().empty());
 }
 
 TEST_F(FindRobotTest, FallsBackToTheSourceTree) {
-  unsetenv("SIDESTEP_MODELS_DIR");
+  unsetenv("SIDESTEP_DATA_DIR");
   EXPECT_EQ(FindRobot("one_leg", ""),
             std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/one_leg/robot.yaml");
 }
 
 TEST_F(FindRobotTest, EveryRobotThatShipsCanBeRead) {
-  unsetenv("SIDESTEP_MODELS_DIR");
+  unsetenv("SIDESTEP_DATA_DIR");
   const std::vector<std::string> robots = ShippedRobots();
   EXPECT_GE(robots.size(), 3U);
   for (const std::string& name : robots) {

@@ -12,7 +12,7 @@ namespace sidestep::robot_description_test {
 namespace {
 
 const std::filesystem::path kRobots =
-    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/robots";
+    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/models";
 
 TEST(RobotDescriptionTest, ReadsARobotWithAnMjcf) {
   const RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");

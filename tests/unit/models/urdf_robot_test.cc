@@ -12,7 +12,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 const std::filesystem::path kMini =
-    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/robots/mini_urdf";
+    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/models/mini_urdf";
 
 TEST(UrdfRobotTest, EveryKeyIsRead) {
   const RobotDescription robot = ReadRobotDescription(kMini / "robot.yaml");

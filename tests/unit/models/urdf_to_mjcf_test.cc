@@ -13,7 +13,7 @@ namespace sidestep::urdf_to_mjcf_test {
 namespace {
 
 const std::filesystem::path kMini =
-    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/robots/mini_urdf";
+    std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/models/mini_urdf";
 
 /// The fixture as its robot.yaml has it converted.
 class UrdfToMjcfTest : public testing::Test {

@@ -14,15 +14,18 @@
 
 namespace sidestep {
 
-/// Robots `mini` (MJCF, one foot), `point` and `walker` (centroidal; one foot, two feet).
-inline std::filesystem::path FixtureRobots() {
-  return std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data/robots";
+/// Stands for what ships with the program, for the length of a test.
+inline std::filesystem::path FixtureData() {
+  return std::filesystem::path(SIDESTEP_SOURCE_DIR) / "tests/data";
 }
+
+/// Robots `mini` (MJCF, one foot), `point` and `walker` (centroidal; one foot, two feet).
+inline std::filesystem::path FixtureRobots() { return FixtureData() / "models"; }
 
 class ScenarioFixture : public testing::Test {
  protected:
-  ScenarioFixture() { setenv("SIDESTEP_MODELS_DIR", FixtureRobots().c_str(), 1); }
-  ~ScenarioFixture() override { unsetenv("SIDESTEP_MODELS_DIR"); }
+  ScenarioFixture() { setenv("SIDESTEP_DATA_DIR", FixtureData().c_str(), 1); }
+  ~ScenarioFixture() override { unsetenv("SIDESTEP_DATA_DIR"); }
 
   Scenario Read(const std::string& text, const std::vector<std::string>& overrides = {}) const {
     return ReadScenario(folder_.Write("a.yaml", text), overrides);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// find_scenario: the file that a scenario's name on the command line means.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sidestep {
+
+/// Names of the scenarios that ship with the program (their files without `.yaml`), sorted.
+std::vector<std::string> ShippedScenarios();
+
+/// The scenario file that `word` means: a path to what is there and no folder, or else a shipped
+/// scenario by its bare name, with `.yaml` or without. So a file of one's own goes before one that
+/// ships.
+/// @throws ConfigError, which names a shipped scenario that looks like it, if it is neither.
+std::filesystem::path FindScenario(const std::filesystem::path& word);
+
+}  // namespace sidestep
