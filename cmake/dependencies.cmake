@@ -1,9 +1,8 @@
-# Everything comes from Debian 12 packages; see packages.txt for the one-line install.
+# What the program links, all of it from Debian 12 packages: see packages.txt. Installed beside
+# sidestepConfig.cmake, too, for programs that link our libraries need the same.
 find_package(mujoco REQUIRED)
 find_package(yaml-cpp REQUIRED)
-find_package(spdlog REQUIRED)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
+find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EIGEN3 REQUIRED IMPORTED_TARGET eigen3)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
