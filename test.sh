@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every test of the repository: installs missing packages, builds twice, runs twice.
+# Every test of the repository: installs missing packages, checks the format, builds twice, runs
+# twice.
 #   dev      asserts and sanitizers: unit and layering tests
 #   release  what users run: the QP again, allocations, the MPC's recorded problems, closed loops
 # Clean clone to verdict in minutes; a second time only what changed is built.
@@ -12,6 +13,10 @@ trap 'printf "\n== FAILED: %s\n" "$current" >&2' ERR
 
 current="installing packages"
 cmake/install_packages.sh
+
+current="format (cmake/format.sh mends it)"
+step "$current"
+cmake/format.sh --check
 
 # build <preset> <targets...>
 build() {
