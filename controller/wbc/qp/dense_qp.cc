@@ -39,6 +39,13 @@ DenseQpSolver::DenseQpSolver(const DenseQpDimensions& maxima, const DenseQpOptio
     : workspace_(std::make_unique<internal::QpWorkspace>(RequireMaxima(maxima), options)) {}
 
 DenseQpSolver::~DenseQpSolver() = default;
+DenseQpSolver::DenseQpSolver(const DenseQpSolver& other)
+    : workspace_(std::make_unique<internal::QpWorkspace>(*other.workspace_)) {}
+
+DenseQpSolver& DenseQpSolver::operator=(const DenseQpSolver& other) {
+  return *this = DenseQpSolver(other);
+}
+
 DenseQpSolver::DenseQpSolver(DenseQpSolver&&) noexcept = default;
 DenseQpSolver& DenseQpSolver::operator=(DenseQpSolver&&) noexcept = default;
 

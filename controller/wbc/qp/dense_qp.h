@@ -117,6 +117,9 @@ class DenseQpSolver {
   /// @throws ContractViolation if an entry is negative, above kMaxQpDimension, or variables is 0.
   explicit DenseQpSolver(const DenseQpDimensions& maxima, const DenseQpOptions& options = {});
   ~DenseQpSolver();
+  /// A copy solves on bit for bit as the original does. Copying takes memory.
+  DenseQpSolver(const DenseQpSolver& other);
+  DenseQpSolver& operator=(const DenseQpSolver& other);
   DenseQpSolver(DenseQpSolver&&) noexcept;
   DenseQpSolver& operator=(DenseQpSolver&&) noexcept;
 
