@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "controller/estimator/leg_odometry.h"
-#include "controller/estimator/truth_estimator.h"
 #include "controller/model/upright.h"
+#include "controller/wbc/centroidal_command.h"
 #include "controller/wbc/inverse_dynamics.h"
 #include "controller/wbc/inverse_kinematics.h"
 
@@ -49,29 +49,39 @@ GaitPlanner MakePlanner(const LocomotionSetup& setup, const mpc::RobotModel& rob
   return planner;
 }
 
-std::unique_ptr<StateEstimator> MakeEstimator(const LocomotionSetup& setup, RigidBody* rigid_body) {
+std::unique_ptr<StateEstimator> MakeEstimator(const LocomotionSetup& setup,
+                                              const RigidBody* rigid_body) {
+  if (rigid_body == nullptr) return nullptr;
   const EstimatorParams& params = setup.control.estimation;
   const double dt_s = 1.0 / setup.control.rate_hz;
-  if (rigid_body == nullptr) {
-    return std::make_unique<CentroidalEstimator>(static_cast<int>(setup.robot.feet.size()),
-                                                 setup.robot.mass_kg, params.contact_threshold_N);
-  }
+  const ExternalWrenchKnowledge knowledge = setup.control.external_wrench;
   if (setup.control.estimator == EstimatorKind::kTruth) {
-    return std::make_unique<TruthEstimator>(setup.robot, params, dt_s, rigid_body);
+    return std::make_unique<TruthEstimator>(setup.robot, params, knowledge, dt_s, *rigid_body);
   }
-  return std::make_unique<LegOdometry>(setup.robot, params, dt_s, rigid_body);
+  return std::make_unique<LegOdometry>(setup.robot, params, knowledge, dt_s, *rigid_body);
 }
 
 std::unique_ptr<wbc::WholeBody> MakeWholeBody(const LocomotionSetup& setup,
                                               const RigidBody* rigid_body) {
-  if (setup.control.mode == ControlMode::kPassive) return std::make_unique<wbc::Passive>();
-  if (rigid_body == nullptr) return std::make_unique<wbc::CentroidalForces>();
+  if (setup.control.mode == ControlMode::kPassive || rigid_body == nullptr) return nullptr;
   if (setup.control.mode == ControlMode::kPosition) {
     return std::make_unique<wbc::InverseKinematics>(setup.robot, setup.control.inverse_kinematics,
                                                     1.0 / setup.control.rate_hz);
   }
   return std::make_unique<wbc::InverseDynamics>(setup.robot, setup.control.inverse_dynamics,
-                                                rigid_body);
+                                                *rigid_body);
+}
+
+// Does nothing: zero torque, whatever is asked.
+void WritePassiveCommand(const ControlTick& tick, ActuatorCommand* command) {
+  const Eigen::Index num_joints = tick.state.joint_position.size();
+  command->torque_Nm.setZero(num_joints);
+  command->centroidal_feet.resize(num_joints == 0 ? tick.feet.size() : 0);
+  for (std::size_t i = 0; i < command->centroidal_feet.size(); ++i) {
+    command->centroidal_feet[i].p_WF = tick.feet[i].p_WF;
+    command->centroidal_feet[i].force_N.setZero(3, tick.feet[i].vertex_force_N.cols());
+    command->centroidal_feet[i].in_contact = false;
+  }
 }
 
 }  // namespace
@@ -86,6 +96,11 @@ LocomotionController::LocomotionController(const LocomotionSetup& setup, StageTi
       mpc_(setup.control.mpc, MakeRobotModel(setup, rigid_body_.get()), setup.tick_s),
       whole_body_(MakeWholeBody(setup, rigid_body_.get())) {
   const std::size_t num_feet = setup.robot.feet.size();
+  if (setup.is_centroidal) {
+    centroidal_estimator_.emplace(static_cast<int>(num_feet), setup.robot.mass_kg,
+                                  setup.control.estimation.contact_threshold_N,
+                                  setup.control.external_wrench);
+  }
   swing_.assign(num_feet, SwingFoot(SwingShape{}, setup.tick_s));
   tick_.feet.resize(num_feet);
   for (std::size_t i = 0; i < num_feet; ++i) {
@@ -102,25 +117,26 @@ const ControlTick& LocomotionController::Update(const SensorFrame& frame) {
   Plan();
   SolveMpc();
   TargetFeet();
-  const ScopedStage stage(timer_, Stage::kWholeBody);
-  tick_.wbc = whole_body_->Solve(tick_.state, tick_.com, tick_.feet, &tick_.command);
+  Command();
   return tick_;
+}
+
+void LocomotionController::Command() {
+  const ScopedStage stage(timer_, Stage::kWholeBody);
+  if (setup_.control.mode == ControlMode::kPassive) {
+    WritePassiveCommand(tick_, &tick_.command);
+  } else if (rigid_body_ == nullptr) {
+    wbc::WriteCentroidalCommand(tick_.feet, &tick_.command);
+  } else {
+    tick_.wbc =
+        whole_body_->Solve(tick_.state, *rigid_body_, tick_.com, tick_.feet, &tick_.command);
+  }
 }
 
 void LocomotionController::Estimate(const SensorFrame& frame) {
   const ScopedStage stage(timer_, Stage::kEstimator);
-  tick_.state = estimator_->Update(frame);
-  if (setup_.control.external_wrench != ExternalWrenchKnowledge::kEstimated) {
-    tick_.state.external_wrench = frame.known_external_wrench.value_or(Wrench{});
-  }
-  if (rigid_body_ == nullptr) return;
-  // Inverse dynamics needs all of it; without it only the MPC's reference reads M, at its ticks.
-  const bool is_torque = setup_.control.mode == ControlMode::kTorque;
-  if (is_torque || IsMpcTick()) rigid_body_->UpdateJacobians();
-  if (is_torque) {
-    rigid_body_->UpdateBias();
-    rigid_body_->UpdateFootBias();
-  }
+  tick_.state = rigid_body_ == nullptr ? centroidal_estimator_->Update(frame)
+                                       : estimator_->Update(frame, rigid_body_.get());
 }
 
 void LocomotionController::Plan() {

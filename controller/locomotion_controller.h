@@ -3,9 +3,11 @@
 // locomotion_controller: the control chain. Read the .cc: it is the table of contents.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "controller/estimator/state_estimator.h"
+#include "controller/estimator/truth_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/mpc/centroidal_mpc.h"
 #include "controller/planner/gait_planner.h"
@@ -47,19 +49,21 @@ class LocomotionController {
   void TargetFeet();
   void SampleReferences();
   void TargetFoot(std::size_t foot);
+  void Command();
   bool IsMpcTick() const { return tick_.tick % mpc_period_ == 0; }
   const GaitParams& GaitAt(Tick tick) const;
 
   LocomotionSetup setup_;
   StageTimer* timer_;
   Tick mpc_period_;
-  std::unique_ptr<RigidBody> rigid_body_;  // none on the centroidal plant
-  std::unique_ptr<StateEstimator> estimator_;
+  std::unique_ptr<RigidBody> rigid_body_;                    // none on the centroidal plant
+  std::unique_ptr<StateEstimator> estimator_;                // none on the centroidal plant
+  std::optional<CentroidalEstimator> centroidal_estimator_;  // only there
   GaitPlanner planner_;
   mpc::CentroidalMpc mpc_;
   mpc::GridReferences references_;
   std::vector<SwingFoot> swing_;
-  std::unique_ptr<wbc::WholeBody> whole_body_;
+  std::unique_ptr<wbc::WholeBody> whole_body_;  // none if passive or on the centroidal plant
   ControlTick tick_;
 };
 

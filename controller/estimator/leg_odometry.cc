@@ -13,14 +13,14 @@ Eigen::Index FootAt(std::size_t foot) { return kFeet + 3 * static_cast<Eigen::In
 
 }  // namespace
 
-LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
-                         RigidBody* rigid_body)
+LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& params,
+                         ExternalWrenchKnowledge external_wrench, double dt_s,
+                         const RigidBody& body)
     : robot_(robot),
       params_(params),
       dt_s_(dt_s),
-      rigid_body_(rigid_body),
-      forces_(robot, params, dt_s, rigid_body),
-      observer_(params, rigid_body->mass_kg(), dt_s) {
+      forces_(robot, params, dt_s, body),
+      external_wrench_(external_wrench, params, body.mass_kg(), dt_s) {
   const Eigen::Index size = FootAt(robot.feet.size());
   x_.setZero(size);
   P_.setIdentity(size, size);
@@ -29,51 +29,57 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
   H_.setZero(size);
   stands_.assign(robot.feet.size(), false);
   state_.feet.resize(robot.feet.size());
-  rigid_body->WriteHome(&state_);
-  rigid_body->UpdateKinematics(state_);
-  x_.head<3>() = rigid_body->imu().p_WU;
+  RigidBody at_home(body);
+  at_home.WriteHome(&state_);
+  at_home.Update(state_);
+  x_.head<3>() = at_home.imu().p_WU;
 }
 
-const RobotState& LegOdometry::Update(const SensorFrame& frame) {
+std::unique_ptr<StateEstimator> LegOdometry::Clone() const {
+  return std::make_unique<LegOdometry>(*this);
+}
+
+const RobotState& LegOdometry::Update(const SensorFrame& frame, RigidBody* body) {
   const Eigen::Quaterniond q_WU = frame.imu.q_WU.normalized();
   // An accelerometer tells of the time since the frame before, which the first one has not.
-  if (has_frame_) Predict(q_WU * frame.imu.accelerometer_mps2 + rigid_body_->gravity_mps2());
+  if (has_frame_) Predict(q_WU * frame.imu.accelerometer_mps2 + body->gravity_mps2());
   has_frame_ = true;
   state_.joint_position = frame.joint_position;
   state_.joint_velocity = frame.joint_velocity;
-  OrientBase(q_WU, frame.imu.gyro_radps);
+  OrientBase(q_WU, frame.imu.gyro_radps, body);
 
   // Kinematics relative to the base: its position and velocity are zero so far.
-  rigid_body_->FillDerived(&state_);
-  forces_.Update(frame, &state_);
-  const Eigen::Vector3d p_BU_W = rigid_body_->imu().p_WU;
-  const Eigen::Vector3d v_BU_W = rigid_body_->imu().v_WU;
+  body->FillDerived(&state_);
+  forces_.Update(frame, body, &state_);
+  const Eigen::Vector3d p_BU_W = body->imu().p_WU;
+  const Eigen::Vector3d v_BU_W = body->imu().v_WU;
   for (std::size_t i = 0; i < robot_.feet.size(); ++i) {
     const bool touches = state_.feet[i].in_contact;
     if (touches != stands_[i]) ReleaseFoot(i);
     stands_[i] = touches;
     if (!touches) continue;
-    CorrectFoot(i, rigid_body_->feet()[i].p_WF - p_BU_W, rigid_body_->feet()[i].v_WF - v_BU_W);
+    CorrectFoot(i, body->feet()[i].p_WF - p_BU_W, body->feet()[i].v_WF - v_BU_W);
   }
 
   state_.p_WB = x_.segment<3>(kPosition) - p_BU_W;
   state_.v_WB = x_.segment<3>(kVelocity) - v_BU_W;
-  rigid_body_->Translate(state_.p_WB, state_.v_WB);
-  rigid_body_->FillDerived(&state_);
-  forces_.NoteVelocity(rigid_body_->velocity());
-  observer_.Update(forces_.arms().force_N, frame.force_torque_age_s, &state_);
+  body->Translate(state_.p_WB, state_.v_WB);
+  body->FillDerived(&state_);
+  forces_.NoteVelocity(body->velocity());
+  external_wrench_.Update(frame, forces_.arms(), &state_);
   return state_;
 }
 
 // Base attitude and rate from the IMU's, which may ride on another body: what joints turn between
 // base and IMU is taken off. Leaves the rigid body at the belief, base at the origin and at rest.
-void LegOdometry::OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U) {
+void LegOdometry::OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U,
+                             RigidBody* body) {
   state_.p_WB.setZero();
   state_.v_WB.setZero();
-  const ImuInBase imu = rigid_body_->LocateImu(state_);
+  const ImuInBase imu = body->LocateImu(state_);
   state_.q_WB = (q_WU * Eigen::Quaterniond(imu.R_BU.transpose())).normalized();
   state_.w_WB_B = imu.R_BU * w_WU_U - imu.w_BU_B;
-  rigid_body_->UpdateKinematics(state_);
+  body->Update(state_);
 }
 
 void LegOdometry::Predict(const Eigen::Vector3d& a_WU) {

@@ -12,10 +12,11 @@
 // as known, which makes the filter linear.
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "controller/estimator/external_wrench.h"
 #include "controller/estimator/force_sensing.h"
-#include "controller/estimator/momentum_observer.h"
 #include "controller/estimator/state_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
@@ -24,16 +25,16 @@ namespace sidestep {
 
 class LegOdometry final : public StateEstimator {
  public:
-  /// `rigid_body` must outlive the estimator; Update() leaves its kinematics
-  /// at the new state. `dt_s` is the time between frames. The base starts where the robot's home
-  /// pose has it.
-  LegOdometry(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
-              RigidBody* rigid_body);
+  /// `dt_s` is the time between frames; `body` is the robot, whose home pose is where the base
+  /// starts.
+  LegOdometry(const RobotDescription& robot, const EstimatorParams& params,
+              ExternalWrenchKnowledge external_wrench, double dt_s, const RigidBody& body);
 
-  const RobotState& Update(const SensorFrame& frame) override;
+  const RobotState& Update(const SensorFrame& frame, RigidBody* body) override;
+  std::unique_ptr<StateEstimator> Clone() const override;
 
  private:
-  void OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U);
+  void OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U, RigidBody* body);
   void Predict(const Eigen::Vector3d& a_WU);
   void ReleaseFoot(std::size_t foot);
   void CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W, const Eigen::Vector3d& v_UF_W);
@@ -43,9 +44,8 @@ class LegOdometry final : public StateEstimator {
   RobotDescription robot_;
   EstimatorParams params_;
   double dt_s_;
-  RigidBody* rigid_body_;
   ForceSensing forces_;
-  MomentumObserver observer_;
+  ExternalWrench external_wrench_;
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd PHt_;   // scratch

@@ -19,21 +19,21 @@ MomentumObserver::MomentumObserver(const EstimatorParams& params, double mass_kg
                        Eigen::Vector2d::Zero());
 }
 
-void MomentumObserver::Update(const Eigen::Vector3d& arms_N, double age_s, RobotState* state) {
-  if (params_.push_cutoff_hz == 0.0) return;
+std::optional<Eigen::Vector2d> MomentumObserver::Update(const Eigen::Vector3d& arms_N, double age_s,
+                                                        const RobotState& state) {
+  if (params_.push_cutoff_hz == 0.0) return std::nullopt;
   const std::size_t size = velocity_mps_.size();
-  velocity_mps_[num_frames_ % size] = state->v_WC.head<2>();
+  velocity_mps_[num_frames_ % size] = state.v_WC.head<2>();
   ++num_frames_;
   const auto age = static_cast<std::size_t>(std::lround(age_s / dt_s_));
-  if (age + 2 > std::min(num_frames_, size)) return;
+  if (age + 2 > std::min(num_frames_, size)) return std::nullopt;
   const std::size_t end = num_frames_ - 1 - age;
   const Eigen::Vector2d change = velocity_mps_[end % size] - velocity_mps_[(end - 1) % size];
   Eigen::Vector2d unexplained_N = mass_kg_ * change / dt_s_ - arms_N.head<2>();
-  for (const FootState& foot : state->feet) unexplained_N -= foot.wrench.force_N.head<2>();
+  for (const FootState& foot : state.feet) unexplained_N -= foot.wrench.force_N.head<2>();
   force_N_ += LowPassShare(params_.push_cutoff_hz, dt_s_) * (unexplained_N - force_N_);
-  if (force_N_.norm() > params_.push_deadband_N) {
-    state->external_wrench.force_N.head<2>() += force_N_;
-  }
+  if (force_N_.norm() > params_.push_deadband_N) return force_N_;
+  return std::nullopt;
 }
 
 }  // namespace sidestep

@@ -12,6 +12,7 @@
 // reaction...", IROS 2006, in its centroidal form.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "controller/types/control_params.h"
@@ -24,10 +25,12 @@ class MomentumObserver {
   /// Observes nothing if EstimatorParams::push_cutoff_hz is 0. `dt_s` is the time between frames.
   MomentumObserver(const EstimatorParams& params, double mass_kg, double dt_s);
 
-  /// Adds what it sees to the state's external wrench. `arms_N` is what the arms' sensors see,
-  /// `age_s` how much older the feet's wrenches are than the rest of the state. Call it once a
-  /// frame, when the state is final. Does not allocate.
-  void Update(const Eigen::Vector3d& arms_N, double age_s, RobotState* state);
+  /// Horizontal force (N, in W) of a push that neither feet nor arms explain; empty if it is within
+  /// the deadband, or nothing can be said yet. `arms_N` is what the arms' sensors see, `age_s` how
+  /// much older the feet's wrenches are than the rest of the state. Call it once a frame, when
+  /// v_WC and the feet's wrenches are final. Does not allocate.
+  std::optional<Eigen::Vector2d> Update(const Eigen::Vector3d& arms_N, double age_s,
+                                        const RobotState& state);
 
  private:
   EstimatorParams params_;

@@ -6,16 +6,20 @@
 namespace sidestep {
 
 TruthEstimator::TruthEstimator(const RobotDescription& robot, const EstimatorParams& params,
-                               double dt_s, RigidBody* rigid_body)
-    : rigid_body_(rigid_body),
-      forces_(robot, params, dt_s, rigid_body),
-      observer_(params, rigid_body->mass_kg(), dt_s) {
-  state_.feet.resize(rigid_body->feet().size());
-  state_.joint_position.setZero(rigid_body->num_actuators());
-  state_.joint_velocity.setZero(rigid_body->num_actuators());
+                               ExternalWrenchKnowledge external_wrench, double dt_s,
+                               const RigidBody& body)
+    : forces_(robot, params, dt_s, body),
+      external_wrench_(external_wrench, params, body.mass_kg(), dt_s) {
+  state_.feet.resize(body.num_feet());
+  state_.joint_position.setZero(body.num_actuators());
+  state_.joint_velocity.setZero(body.num_actuators());
 }
 
-const RobotState& TruthEstimator::Update(const SensorFrame& frame) {
+std::unique_ptr<StateEstimator> TruthEstimator::Clone() const {
+  return std::make_unique<TruthEstimator>(*this);
+}
+
+const RobotState& TruthEstimator::Update(const SensorFrame& frame, RigidBody* body) {
   SIDESTEP_REQUIRE(frame.truth.has_value(), "the frame carries no truth");
   state_.p_WB = frame.truth->p_WB;
   state_.q_WB = frame.truth->q_WB;
@@ -23,16 +27,19 @@ const RobotState& TruthEstimator::Update(const SensorFrame& frame) {
   state_.w_WB_B = frame.truth->w_WB_B;
   state_.joint_position = frame.joint_position;
   state_.joint_velocity = frame.joint_velocity;
-  rigid_body_->UpdateKinematics(state_);
-  rigid_body_->FillDerived(&state_);
-  forces_.Update(frame, &state_);
-  forces_.NoteVelocity(rigid_body_->velocity());
-  observer_.Update(forces_.arms().force_N, frame.force_torque_age_s, &state_);
+  body->Update(state_);
+  body->FillDerived(&state_);
+  forces_.Update(frame, body, &state_);
+  forces_.NoteVelocity(body->velocity());
+  external_wrench_.Update(frame, forces_.arms(), &state_);
   return state_;
 }
 
-CentroidalEstimator::CentroidalEstimator(int num_feet, double mass_kg, double contact_threshold_N)
-    : mass_kg_(mass_kg), contact_threshold_N_(contact_threshold_N) {
+CentroidalEstimator::CentroidalEstimator(int num_feet, double mass_kg, double contact_threshold_N,
+                                         ExternalWrenchKnowledge external_wrench)
+    : mass_kg_(mass_kg),
+      contact_threshold_N_(contact_threshold_N),
+      external_wrench_(external_wrench) {
   state_.feet.resize(static_cast<std::size_t>(num_feet));
 }
 
@@ -48,6 +55,7 @@ const RobotState& CentroidalEstimator::Update(const SensorFrame& frame) {
     state_.feet[i].p_WF = sample.p_WF[i];
     state_.feet[i].in_contact = frame.feet[i].normal_force_N > contact_threshold_N_;
   }
+  external_wrench_.Update(frame, Wrench{}, &state_);
   return state_;
 }
 

@@ -3,8 +3,10 @@
 // truth_estimator: estimators that are told the state: `estimator: truth`, and the centroidal
 // plant.
 
+#include <memory>
+
+#include "controller/estimator/external_wrench.h"
 #include "controller/estimator/force_sensing.h"
-#include "controller/estimator/momentum_observer.h"
 #include "controller/estimator/state_estimator.h"
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
@@ -14,29 +16,37 @@ namespace sidestep {
 /// Believes SensorFrame::truth. For comparison with LegOdometry only.
 class TruthEstimator final : public StateEstimator {
  public:
-  /// `rigid_body` must outlive the estimator; Update() leaves its kinematics
-  /// at the new state.
-  /// `dt_s` is the time between frames.
-  TruthEstimator(const RobotDescription& robot, const EstimatorParams& params, double dt_s,
-                 RigidBody* rigid_body);
-  const RobotState& Update(const SensorFrame& frame) override;
+  /// `dt_s` is the time between frames; `body` is the robot, for its sizes and mass.
+  TruthEstimator(const RobotDescription& robot, const EstimatorParams& params,
+                 ExternalWrenchKnowledge external_wrench, double dt_s, const RigidBody& body);
+
+  /// Throws ContractViolation if the frame carries no truth.
+  const RobotState& Update(const SensorFrame& frame, RigidBody* body) override;
+  std::unique_ptr<StateEstimator> Clone() const override;
 
  private:
-  RigidBody* rigid_body_;
   ForceSensing forces_;
-  MomentumObserver observer_;
+  ExternalWrench external_wrench_;
   RobotState state_;
 };
 
-/// Believes SensorFrame::centroidal, the reduced state that the centroidal plant measures.
-class CentroidalEstimator final : public StateEstimator {
+/// Believes SensorFrame::centroidal, the reduced state that the centroidal plant measures: there is
+/// no rigid body to derive anything from.
+class CentroidalEstimator {
  public:
-  CentroidalEstimator(int num_feet, double mass_kg, double contact_threshold_N);
-  const RobotState& Update(const SensorFrame& frame) override;
+  /// A foot stands if it is pressed by more than `contact_threshold_N`.
+  CentroidalEstimator(int num_feet, double mass_kg, double contact_threshold_N,
+                      ExternalWrenchKnowledge external_wrench);
+
+  /// Takes the next frame and returns the belief at its instant. The reference stays valid; the
+  /// object behind it changes with the next call. Throws ContractViolation if the frame carries no
+  /// centroidal sample.
+  const RobotState& Update(const SensorFrame& frame);
 
  private:
   double mass_kg_;
   double contact_threshold_N_;
+  ExternalWrench external_wrench_;
   RobotState state_;
 };
 

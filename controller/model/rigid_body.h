@@ -6,14 +6,17 @@
 // The only place of controller/ where MuJoCo appears. Velocities nu are MuJoCo's:
 //   nu = [v_WB (base origin, in W); w_WB_B (in B); joints in the order of the model].
 // Equation of motion: M nudot + h = S^T tau + sum J_F^T f_F, h holding gravity and damping.
+//
+// There is no order of calls to keep: Update() poses the robot, and whatever is read afterwards
+// belongs to that state, evaluated when it is first read and kept until the next Update().
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "controller/model/model_instance.h"
 #include "controller/types/robot_state.h"
 #include "models/mjcf/centroidal_motion.h"
-#include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_description.h"
 
 namespace sidestep {
@@ -21,18 +24,27 @@ namespace sidestep {
 /// Row-major like MuJoCo's Jacobians, so that they map without a copy.
 using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A foot's kinematics at the current state.
+/// A foot's pose and velocity.
 struct FootKinematics {
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
   Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
   Eigen::Vector3d w_WF{Eigen::Vector3d::Zero()};
-  Jacobian3 J;                                         ///< 3 x nv, velocity of F in W.
-  Jacobian3 J_rot;                                     ///< 3 x nv, angular velocity of F in W.
-  Eigen::Vector3d bias_mps2{Eigen::Vector3d::Zero()};  ///< Jdot nu.
 };
 
-/// Motion of the IMU's site U at the current state, in W.
+/// Of a frame: its velocities are J nu and J_rot nu, in W.
+struct FrameJacobian {
+  Jacobian3 J;      ///< 3 x nv, linear.
+  Jacobian3 J_rot;  ///< 3 x nv, angular.
+};
+
+/// Accelerations of a frame at nudot = 0, in W: Jdot nu.
+struct FrameBias {
+  Eigen::Vector3d linear_mps2{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d angular_radps2{Eigen::Vector3d::Zero()};
+};
+
+/// Motion of the IMU's site U, in W.
 struct ImuKinematics {
   Eigen::Vector3d p_WU{Eigen::Vector3d::Zero()};
   Eigen::Matrix3d R_WU{Eigen::Matrix3d::Identity()};
@@ -46,79 +58,85 @@ struct ImuInBase {
   Eigen::Vector3d w_BU_B{Eigen::Vector3d::Zero()};  ///< Of U relative to B.
 };
 
-/// Orientation of the torso's site at the current state.
+/// Attitude and angular velocity of the torso's site T, in W.
 struct TorsoKinematics {
   Eigen::Matrix3d R_WT{Eigen::Matrix3d::Identity()};
-  Jacobian3 J_rot;  ///< 3 x nv, angular velocity in W.
+  Eigen::Vector3d w_WT{Eigen::Vector3d::Zero()};
 };
 
-/// A force/torque sensor at the current state: its site, and what it would read were nothing but
-/// gravity and inertia acting on its distal part.
+/// A force/torque sensor: its site, and what it would read were nothing but gravity and inertia
+/// acting on its distal part.
 struct ForceTorqueKinematics {
   Eigen::Vector3d p_WS{Eigen::Vector3d::Zero()};
   Eigen::Matrix3d R_WS{Eigen::Matrix3d::Identity()};
   Wrench unloaded;  ///< Distal on proximal, in S, about S.
 };
 
-/// The nominal robot. The Update functions evaluate it at one state; the rest reads what they left.
+/// The nominal robot at one state. A value: copies share the compiled model and nothing else. Not
+/// thread-safe, not even to read, for reading evaluates. Nothing but construction and copies
+/// allocates.
 class RigidBody {
  public:
-  /// Compiles the robot's MJCF. Throws ConfigError if it lacks a name that robot.yaml promises.
+  /// Compiles the robot's MJCF and poses it at home, at rest. Throws ConfigError if it lacks a name
+  /// that robot.yaml promises.
   explicit RigidBody(const RobotDescription& robot);
 
-  /// Evaluates everything at the base and joint state of `state`: the four below in a row.
-  /// None of them allocates.
+  /// Puts it at the base and joint state of `state`. Poses and velocities of feet, IMU and torso,
+  /// the CoM and the momentum are evaluated at once, all else when it is first read.
   void Update(const RobotState& state);
 
-  /// Poses and velocities: of feet, IMU and torso, the CoM, the angular momentum.
-  void UpdateKinematics(const RobotState& state);
-
-  /// M with base_inertia(), and the Jacobians of CoM, feet and torso, at the state of the last
-  /// UpdateKinematics(). They keep that state until the next call.
-  void UpdateJacobians();
-
-  /// h and com_bias_mps2(), at the state of the last UpdateKinematics().
-  void UpdateBias();
-
-  /// The feet's bias_mps2, at the state of the last UpdateKinematics().
-  void UpdateFootBias();
-
-  /// Moves the robot of the last UpdateKinematics() as a whole by `p` (m) and makes it faster by
-  /// `v` (m/s), both in W. Leaves what evaluating that state would, for next to nothing: rotations,
-  /// momentum about the CoM, M, Jacobians and biases depend on neither. force_torque() stays where
-  /// it was, after an UpdateForceTorque() too.
+  /// Moves the robot as a whole by `p` (m) and makes it faster by `v` (m/s), both in W. Leaves what
+  /// evaluating that state would, for next to nothing: rotations, momentum about the CoM, M,
+  /// Jacobians and biases depend on neither, whether they have been read before or not.
+  /// PredictForceTorque() alone goes on telling sites where they were.
   void Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v);
 
-  /// The IMU on the base for the joints of `state`, whose base is not read. What the Update
-  /// functions leave stays, but the next of them must be UpdateKinematics().
+  /// The IMU on the base for the joints of `state`, whose base is not read. The robot is at no
+  /// state after it: reading one before the next Update() is a ContractViolation.
   ImuInBase LocateImu(const RobotState& state);
 
-  /// Predicts the force/torque sensors for the acceleration `nudot` (nv) at the state of the last
-  /// UpdateKinematics().
-  void UpdateForceTorque(const Eigen::VectorXd& nudot);
+  /// Poses of the force/torque sensors and their unloaded readings for the acceleration `nudot`
+  /// (nv). The reference stays valid; the next call overwrites what is behind it.
+  const std::vector<ForceTorqueKinematics>& PredictForceTorque(const Eigen::VectorXd& nudot);
 
   /// Base position and attitude and joints at the start of a run; the rest of `state` is zero.
   void WriteHome(RobotState* state) const;
 
   /// Writes p_WC, v_WC, angular_momentum and the feet's pose and velocity into `state`, which must
-  /// be the state given to UpdateKinematics(). Leaves in_contact alone.
+  /// be the state given to Update(). Leaves in_contact alone.
   void FillDerived(RobotState* state) const;
 
-  int num_velocities() const { return model_->nv; }
-  int num_actuators() const { return model_->nu; }
+  int num_velocities() const { return instance_.model()->nv; }
+  int num_actuators() const { return instance_.model()->nu; }
+  std::size_t num_feet() const { return foot_site_.size(); }
+  bool has_torso() const { return torso_site_ >= 0; }
+  bool has_force_torque() const { return !force_torque_ids_.empty(); }
   double mass_kg() const { return mass_kg_; }
   const Eigen::Vector3d& gravity_mps2() const { return gravity_mps2_; }
 
-  const Eigen::MatrixXd& mass_matrix() const { return mass_matrix_; }  ///< nv x nv.
-  const Eigen::VectorXd& bias() const { return bias_; }                ///< h, nv.
-  const Eigen::VectorXd& velocity() const { return velocity_; }        ///< nu, nv.
-  const Jacobian3& com_jacobian() const { return com_jacobian_; }      ///< 3 x nv, in W.
-  const Eigen::Vector3d& com_bias_mps2() const { return com_bias_mps2_; }
-  const std::vector<FootKinematics>& feet() const { return feet_; }
-  const ImuKinematics& imu() const { return imu_; }
-  bool has_torso() const { return torso_site_ >= 0; }
-  const TorsoKinematics& torso() const { return torso_; }
-  const std::vector<ForceTorqueKinematics>& force_torque() const { return force_torque_; }
+  const Eigen::VectorXd& velocity() const;  ///< nu, nv.
+  const std::vector<FootKinematics>& feet() const;
+  const ImuKinematics& imu() const;
+  const TorsoKinematics& torso() const;
+
+  const Eigen::MatrixXd& mass_matrix() const;  ///< M, nv x nv.
+  const Eigen::VectorXd& bias() const;         ///< h, nv.
+
+  /// Locked inertia about the base's origin, in B: the base block of M (kg m^2).
+  Eigen::Matrix3d base_inertia() const { return mass_matrix().block<3, 3>(3, 3); }
+
+  const Jacobian3& com_jacobian() const;         ///< 3 x nv: v_WC = J nu.
+  const Eigen::Vector3d& com_bias_mps2() const;  ///< Jdot nu.
+
+  const FrameJacobian& foot_jacobian(std::size_t foot) const;
+  const FrameBias& foot_bias(std::size_t foot) const;
+  const Jacobian3& torso_jacobian() const;           ///< 3 x nv, angular: w_WT = J nu.
+  const Eigen::Vector3d& torso_bias_radps2() const;  ///< Jdot nu.
+
+  /// 3 x nv: h_C_W = J nu, the angular momentum about C.
+  const Jacobian3& angular_momentum_jacobian() const;
+  /// Jdot nu (N m): J nudot + Jdot nu is the moment about C of all forces but gravity.
+  const Eigen::Vector3d& angular_momentum_bias_Nm() const;
 
   /// Index in nu of each actuator's joint, in the order of the actuators.
   const std::vector<int>& actuated_velocity() const { return actuated_velocity_; }
@@ -128,17 +146,40 @@ class RigidBody {
   const Eigen::VectorXd& joint_lower() const { return joint_lower_; }
   const Eigen::VectorXd& joint_upper() const { return joint_upper_; }
 
-  /// Locked inertia about the base's origin, in B: the base block of M (kg m^2).
-  Eigen::Matrix3d base_inertia() const { return mass_matrix_.block<3, 3>(3, 3); }
-
  private:
+  /// What is evaluated when it is first read, and whether it has been since the last Update().
+  struct Evaluated {
+    bool has_mass_matrix{false}, has_bias{false}, has_frame_jacobians{false}, has_frame_bias{false},
+        has_angular_momentum{false};
+    Eigen::MatrixXd mass_matrix;
+    Jacobian3 com_jacobian;
+    Eigen::VectorXd bias;
+    Eigen::Vector3d com_bias_mps2{Eigen::Vector3d::Zero()};
+    std::vector<FrameJacobian> foot_jacobian;
+    std::vector<FrameBias> foot_bias;
+    Jacobian3 torso_jacobian;
+    Eigen::Vector3d torso_bias_radps2{Eigen::Vector3d::Zero()};
+    Jacobian3 angular_momentum_jacobian;
+    Eigen::Vector3d angular_momentum_bias_Nm{Eigen::Vector3d::Zero()};
+  };
+  struct ForceTorqueIds {
+    int site{0}, force{0}, torque{0};  // addresses in sensordata
+  };
+
   void ResolveNames(const RobotDescription& robot);
   void ResolveImuChain();
+  void ResolveActuators();
+  void TakeMemory();
   void SetState(const RobotState& state);
   void SetJoints(const RobotState& state);
+  void RequireState() const;
+  void EvaluateMassMatrix() const;
+  void EvaluateBias() const;
+  void EvaluateFrameJacobians() const;
+  void EvaluateFrameBias() const;
+  void EvaluateAngularMomentum() const;
 
-  MjModelPtr model_;
-  MjDataPtr data_;
+  ModelInstance instance_;
   double mass_kg_{0.0};
   Eigen::Vector3d gravity_mps2_;
   int base_body_{0};
@@ -151,21 +192,16 @@ class RigidBody {
   int imu_site_{0};
   std::vector<int> joints_to_imu_;
   int torso_site_{-1};
-  struct ForceTorqueIds {
-    int site{0}, force{0}, torque{0};  // addresses in sensordata
-  };
   std::vector<ForceTorqueIds> force_torque_ids_;
   Eigen::VectorXd home_position_;  // qpos
 
-  Eigen::MatrixXd mass_matrix_;
-  Eigen::VectorXd bias_;
+  bool has_state_{false};  // mjData is where Update() put it
   Eigen::VectorXd velocity_;
-  Jacobian3 com_jacobian_;
-  Eigen::Vector3d com_bias_mps2_;
   CentroidalMotion centroidal_;
   std::vector<FootKinematics> feet_;
   ImuKinematics imu_;
   TorsoKinematics torso_;
+  mutable Evaluated evaluated_;
   std::vector<ForceTorqueKinematics> force_torque_;
 };
 

@@ -14,46 +14,39 @@
 // dynamics on a torque-controlled humanoid", Autonomous Robots 40 (2016).
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
-#include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
+#include "controller/wbc/contact_forces.h"
 #include "controller/wbc/qp/dense_qp.h"
+#include "controller/wbc/qp_builder.h"
 #include "controller/wbc/whole_body.h"
 
 namespace sidestep::wbc {
 
 class InverseDynamics final : public WholeBody {
  public:
-  /// `rigid_body` must outlive this object and be updated, Jacobians and bias too, to the state
-  /// given to Solve().
+  /// `body` is the robot, for its sizes. Throws ContractViolation if a foot has more than one
+  /// vertex.
   InverseDynamics(const RobotDescription& robot, const InverseDynamicsParams& params,
-                  const RigidBody* rigid_body);
+                  const RigidBody& body);
 
-  WbcReport Solve(const RobotState& state, const ComTarget& com,
+  WbcReport Solve(const RobotState& state, const RigidBody& body, const ComTarget& com,
                   const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
+  std::unique_ptr<WholeBody> Clone() const override;
 
  private:
-  void AddTask(const Eigen::Ref<const Jacobian3>& J, const Eigen::Vector3d& target_minus_bias,
-               const Eigen::Vector3d& weight);
-  void AddComTask(const RobotState& state, const ComTarget& com);
-  void AddAttitudeTask(const RobotState& state, bool yaw_is_held);
-  void AddFootTasks(const RobotState& state, const std::vector<FootTarget>& feet);
-  void AddForces(const RobotState& state, const std::vector<FootTarget>& feet);
-  void AddRegularisation();
-  void AddDynamics();
-  void AddTorqueLimits();
+  void Build(const RobotState& state, const RigidBody& body, const ComTarget& com,
+             const std::vector<FootTarget>& feet);
+  void AddAttitude(const RobotState& state);
+  void AddFoot(std::size_t foot, bool stands, const RigidBody& body, const FootTarget& target);
 
-  RobotDescription robot_;
   InverseDynamicsParams params_;
-  const RigidBody* rigid_body_;
-  Eigen::Index nv_;
-  Eigen::Index num_forces_{0};  // 3 a foot in contact
-  Eigen::Index num_inequalities_{0};
-  Eigen::MatrixXd force_jacobian_;  // max forces x nv: rows of J at the feet in contact
-  DenseQpProblem qp_;               // at its largest size; blocks of it are solved
+  ContactForces forces_;
+  QpBuilder qp_;
   DenseQpSolver solver_;
-  Eigen::VectorXd residual_;  // scratch of a solve: nv
+  Eigen::VectorXd scratch_;  // nv
 };
 
 }  // namespace sidestep::wbc

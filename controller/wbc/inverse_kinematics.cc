@@ -6,30 +6,21 @@
 #include <cmath>
 
 #include "controller/wbc/com_zmp_correction.h"
+#include "controller/wbc/rotation.h"
+#include "controller/wbc/tasks.h"
 #include "models/support/require.h"
 
 namespace sidestep::wbc {
 namespace {
 
-constexpr Eigen::Index kFootRows = 6;     // linear, angular
+constexpr int kFootRows = 6;  // linear, angular
+constexpr int kComRows = 3;
 constexpr double kSoftComWeight = 1e2;    // when the hard tasks contradict each other
 constexpr double kBaseDamping = 1e-6;     // of a base twist that no task asks for
 constexpr double kMinCarriedShare = 0.1;  // of the weight, for a ZMP worth believing
 
-// Rotation vector (rad) in W that turns `from` into `to`.
-Eigen::Vector3d RotationError_W(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
-  const Eigen::AngleAxisd error(to * from.transpose());
-  return error.angle() * error.axis();
-}
-
-Eigen::Quaterniond FromRotationVector(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  if (angle < 1e-12) return Eigen::Quaterniond::Identity();
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
-}
-
 DenseQpDimensions Maxima(const RobotDescription& robot, const RigidBody& body) {
-  return {body.num_velocities(), static_cast<int>(kFootRows * robot.feet.size()) + 3,
+  return {body.num_velocities(), kFootRows * static_cast<int>(robot.feet.size()) + kComRows,
           body.num_actuators()};
 }
 
@@ -44,6 +35,7 @@ InverseKinematics::InverseKinematics(const RobotDescription& robot,
       nv_(body_.num_velocities()),
       holds_(robot.feet.size()),
       deflection_(robot, dt_s),
+      qp_(Maxima(robot, body_)),
       solver_(Maxima(robot, body_)) {
   SIDESTEP_REQUIRE(robot.joints.size() == static_cast<std::size_t>(body_.num_actuators()),
                    robot.joints.size());
@@ -51,41 +43,35 @@ InverseKinematics::InverseKinematics(const RobotDescription& robot,
   commanded_.feet.resize(robot.feet.size());
   body_.WriteHome(&commanded_);
   home_ = commanded_.joint_position;
-  const DenseQpDimensions maxima = Maxima(robot, body_);
-  qp_.H.setZero(nv_, nv_);
-  qp_.g.setZero(nv_);
-  qp_.A.setZero(maxima.equalities, nv_);
-  qp_.b.setZero(maxima.equalities);
-  qp_.C.setZero(maxima.inequalities, nv_);
-  qp_.lower.setZero(maxima.inequalities);
-  qp_.upper.setZero(maxima.inequalities);
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    qp_.C(static_cast<Eigen::Index>(i), Joint(i)) = 1.0;
-  }
   nu_.setZero(nv_);
+}
+
+std::unique_ptr<WholeBody> InverseKinematics::Clone() const {
+  return std::make_unique<InverseKinematics>(*this);
 }
 
 Eigen::Index InverseKinematics::Joint(std::size_t actuator) const {
   return body_.actuated_velocity()[actuator];
 }
 
-WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com,
-                                   const std::vector<FootTarget>& feet, ActuatorCommand* command) {
+WbcReport InverseKinematics::Solve(const RobotState& state, const RigidBody& /*body*/,
+                                   const ComTarget& com, const std::vector<FootTarget>& feet,
+                                   ActuatorCommand* command) {
   if (!started_) Start(state);
   Anchor(state);
-  body_.UpdateKinematics(commanded_);
-  body_.UpdateJacobians();
+  body_.Update(commanded_);
   const double min_force_N = kMinCarriedShare * body_.mass_kg() * body_.gravity_mps2().norm();
   const Eigen::Vector3d v_WC = CorrectedComVelocity(
       params_, state, com, PlannedZeroMomentPoint(feet, vertices_m_, min_force_N),
       ZeroMomentPoint(state.feet, min_force_N));
   Build(v_WC, state, feet);
 
-  const DenseQpSolution* solution = &SolveQp(qp_.b.size());
+  const DenseQpSolution* solution = &solver_.Solve(qp_.View());
   const bool ok = solution->status == QpStatus::kSolved;
   if (!ok) {  // feet first, the CoM as well as it goes
-    AddSoftCom(v_WC);
-    solution = &SolveQp(qp_.b.size() - 3);
+    qp_.DropEqualities(kComRows);
+    qp_.AddTaskInOneProduct(ComVelocity(body_, v_WC), kSoftComWeight);
+    solution = &solver_.Solve(qp_.View());
   }
   if (solution->status == QpStatus::kSolved) {
     nu_ = solution->x;
@@ -98,7 +84,6 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const ComTarget& com
   command->joint_position = commanded_.joint_position;
   command->joint_velocity = commanded_.joint_velocity;
   if (params_.compensates_deflection) {  // at the tick's start: torques change little in one
-    body_.UpdateBias();
     command->joint_position += deflection_.Update(body_, feet);
   }
   return {solution->status, ok, solution->iterations};
@@ -109,7 +94,7 @@ void InverseKinematics::Start(const RobotState& state) {
   commanded_.q_WB = state.q_WB;
   commanded_.joint_position = state.joint_position;
   commanded_.joint_velocity.setZero();
-  body_.UpdateKinematics(commanded_);
+  body_.Update(commanded_);
   for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i] = {true, body_.feet()[i].p_WF};
   started_ = true;
 }
@@ -122,7 +107,7 @@ void InverseKinematics::Anchor(const RobotState& state) {
   int standing = 0;
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     if (!holds_[i].active || !state.feet[i].in_contact) continue;
-    p_cmd += body_.feet()[i].p_WF + dt_s_ * (body_.feet()[i].J * nu_);
+    p_cmd += body_.feet()[i].p_WF + dt_s_ * (body_.foot_jacobian(i).J * nu_);
     p_believed += state.feet[i].p_WF;
     ++standing;
   }
@@ -140,17 +125,16 @@ void InverseKinematics::Anchor(const RobotState& state) {
   for (Hold& hold : holds_) hold.p_WF.head<2>() += shift.head<2>();
 }
 
+// The list of tasks: exact ones, the CoM last among them, then weighted ones.
 void InverseKinematics::Build(const Eigen::Vector3d& v_WC, const RobotState& state,
                               const std::vector<FootTarget>& feet) {
-  qp_.H.setZero();
-  qp_.g.setZero();
+  qp_.Start(nv_);
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const bool has_landed = holds_[i].active || state.feet[i].in_contact;
     AddFoot(i, feet[i], feet[i].planned_contact && has_landed);
   }
-  qp_.A.bottomRows<3>() = body_.com_jacobian();
-  qp_.b.tail<3>() = v_WC;
-  AddTorso(feet);
+  qp_.AddExact(ComVelocity(body_, v_WC));
+  if (body_.has_torso()) AddTrunk(feet);
   AddPosture();
   AddJointLimits();
 }
@@ -165,62 +149,49 @@ void InverseKinematics::AddFoot(std::size_t foot, const FootTarget& target, bool
   hold.p_WF.z() = robot_.feet[foot].sole_height_m;
   const Eigen::Vector3d p_WF = stands ? hold.p_WF : target.p_WF;
   const Eigen::Vector3d feedforward = stands ? Eigen::Vector3d::Zero().eval() : target.v_WF;
-  const Eigen::Index row = kFootRows * static_cast<Eigen::Index>(foot);
-  qp_.A.middleRows<3>(row) = at.J;
-  qp_.A.middleRows<3>(row + 3) = at.J_rot;
-  qp_.b.segment<3>(row) = feedforward + params_.foot_linear_gain_per_s * (p_WF - at.p_WF);
-  qp_.b.segment<3>(row + 3) =
-      params_.foot_angular_gain_per_s * RotationError_W(at.R_WF, target.contact.R_WF);
+  const FootTask task =
+      FootVelocity(body_, foot, feedforward + params_.foot_linear_gain_per_s * (p_WF - at.p_WF),
+                   params_.foot_angular_gain_per_s * RotationError_W(at.R_WF, target.contact.R_WF));
+  qp_.AddExact(task.linear);
+  qp_.AddExact(task.angular);
 }
 
 // Upright, facing where the feet face on average.
-void InverseKinematics::AddTorso(const std::vector<FootTarget>& feet) {
-  if (!body_.has_torso()) return;
+void InverseKinematics::AddTrunk(const std::vector<FootTarget>& feet) {
   Eigen::Vector3d forward = Eigen::Vector3d::Zero();
   for (const FootTarget& foot : feet) forward += foot.contact.R_WF.col(0);
   const double yaw_rad = std::atan2(forward.y(), forward.x());
   const Eigen::Matrix3d upright =
       Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  const TorsoKinematics& torso = body_.torso();
-  const Eigen::Vector3d target = params_.torso_gain_per_s * RotationError_W(torso.R_WT, upright);
-  qp_.H.noalias() += params_.torso_weight * torso.J_rot.transpose() * torso.J_rot;
-  qp_.g.noalias() -= params_.torso_weight * torso.J_rot.transpose() * target;
+  const Eigen::Vector3d w_WT =
+      params_.torso_gain_per_s * RotationError_W(body_.torso().R_WT, upright);
+  qp_.AddTaskInOneProduct(TrunkVelocity(body_, w_WT), params_.torso_weight);
 }
 
 void InverseKinematics::AddPosture() {
-  qp_.H.diagonal().head<6>().array() += kBaseDamping;
+  for (Eigen::Index i = 0; i < 6; ++i) qp_.AddDiagonal(i, 0.0, kBaseDamping);
   for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const double weight = params_.posture_weight * robot_.joints[i].posture_weight;
     const double target = params_.posture_gain_per_s * (home_[at] - commanded_.joint_position[at]);
-    qp_.H(Joint(i), Joint(i)) += weight;
-    qp_.g[Joint(i)] -= weight * target;
+    qp_.AddDiagonal(Joint(i), target, weight);
   }
 }
 
 // A joint may use what is left to its limit within a few ticks, and no more than its speed.
 void InverseKinematics::AddJointLimits() {
   const double approach_per_s = 0.2 / dt_s_;
+  InequalityRows rows = qp_.AddInequalities(body_.num_actuators());
   for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const double q = commanded_.joint_position[at];
     const double limit = robot_.joints[i].velocity_limit_radps;
     const double down = approach_per_s * (body_.joint_lower()[at] - q);
     const double up = approach_per_s * (body_.joint_upper()[at] - q);
-    qp_.lower[at] = std::clamp(down, -limit, limit);
-    qp_.upper[at] = std::clamp(up, -limit, limit);
+    rows.C(at, Joint(i)) = 1.0;
+    rows.lower[at] = std::clamp(down, -limit, limit);
+    rows.upper[at] = std::clamp(up, -limit, limit);
   }
-}
-
-void InverseKinematics::AddSoftCom(const Eigen::Vector3d& v_WC) {
-  const Jacobian3& J = body_.com_jacobian();
-  qp_.H.noalias() += kSoftComWeight * J.transpose() * J;
-  qp_.g.noalias() -= kSoftComWeight * J.transpose() * v_WC;
-}
-
-const DenseQpSolution& InverseKinematics::SolveQp(Eigen::Index equalities) {
-  return solver_.Solve({qp_.H, qp_.g, qp_.A.topRows(equalities), qp_.b.head(equalities), qp_.C,
-                        qp_.lower, qp_.upper});
 }
 
 void InverseKinematics::Integrate(const Eigen::VectorXd& nu) {

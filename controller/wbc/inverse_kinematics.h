@@ -16,11 +16,13 @@
 // Source: Romualdi et al. (ICRA 2022), section III-C.
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
 #include "controller/wbc/qp/dense_qp.h"
+#include "controller/wbc/qp_builder.h"
 #include "controller/wbc/servo_deflection.h"
 #include "controller/wbc/whole_body.h"
 
@@ -32,12 +34,13 @@ class InverseKinematics final : public WholeBody {
   InverseKinematics(const RobotDescription& robot, const InverseKinematicsParams& params,
                     double dt_s);
 
-  WbcReport Solve(const RobotState& state, const ComTarget& com,
+  /// `body` is not read: the commanded robot has one of its own.
+  WbcReport Solve(const RobotState& state, const RigidBody& body, const ComTarget& com,
                   const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
+  std::unique_ptr<WholeBody> Clone() const override;
 
-  /// The last problem posed. If its CoM rows, the last three of A, had to give way, they are in H
-  /// and g too.
-  const DenseQpProblem& problem() const { return qp_; }
+  /// The last problem solved. If its CoM rows had to give way, they are in H and g, not in A.
+  DenseQpView problem() const { return qp_.View(); }
 
  private:
   /// Where a standing foot is held.
@@ -51,11 +54,9 @@ class InverseKinematics final : public WholeBody {
   void Build(const Eigen::Vector3d& v_WC, const RobotState& state,
              const std::vector<FootTarget>& feet);
   void AddFoot(std::size_t foot, const FootTarget& target, bool stands);
-  void AddTorso(const std::vector<FootTarget>& feet);
+  void AddTrunk(const std::vector<FootTarget>& feet);
   void AddPosture();
   void AddJointLimits();
-  void AddSoftCom(const Eigen::Vector3d& v_WC);
-  const DenseQpSolution& SolveQp(Eigen::Index equalities);
   void Integrate(const Eigen::VectorXd& nu);
   Eigen::Index Joint(std::size_t actuator) const;
 
@@ -70,7 +71,7 @@ class InverseKinematics final : public WholeBody {
   std::vector<Hold> holds_;  // one a foot
   std::vector<Eigen::Matrix3Xd> vertices_m_;
   ServoDeflection deflection_;
-  DenseQpProblem qp_;
+  QpBuilder qp_;
   DenseQpSolver solver_;
   Eigen::VectorXd nu_;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/wbc/servo_deflection.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+
+#include "controller/wbc/contact_forces.h"
 
 namespace sidestep::wbc {
 namespace {
@@ -27,13 +28,9 @@ const Eigen::VectorXd& ServoDeflection::Update(const RigidBody& body,
                                                const std::vector<FootTarget>& feet) {
   torque_ = body.bias();
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    const FootKinematics& foot = body.feet()[i];
-    Eigen::Matrix<double, 6, 1> planned = Eigen::Matrix<double, 6, 1>::Zero();
-    for (Eigen::Index v = 0; v < vertices_m_[i].cols(); ++v) {
-      const Eigen::Vector3d force_N = feet[i].vertex_force_N.col(v);
-      planned.head<3>() += force_N;
-      planned.tail<3>() += (foot.R_WF * vertices_m_[i].col(v)).cross(force_N);
-    }
+    const Eigen::Matrix<double, 6, 1> planned =
+        FootWrench(body.feet()[i].R_WF, vertices_m_[i], feet[i].vertex_force_N);
+    const FrameJacobian& foot = body.foot_jacobian(i);
     wrench_[i] += (has_wrench_ ? share_ : 1.0) * (planned - wrench_[i]);
     torque_.noalias() -= foot.J.transpose() * wrench_[i].head<3>();
     torque_.noalias() -= foot.J_rot.transpose() * wrench_[i].tail<3>();

@@ -2,37 +2,34 @@
 #pragma once
 // whole_body: the last stage of the chain, from targets of CoM and feet to an ActuatorCommand.
 
+#include <memory>
 #include <vector>
 
+#include "controller/model/rigid_body.h"
 #include "controller/types/actuator_command.h"
 #include "controller/types/control_tick.h"
 #include "controller/types/robot_state.h"
 
 namespace sidestep::wbc {
 
-/// One way to carry the targets out.
+/// One way to carry the targets out on a robot with joints. Holds no pointers: copies go on by
+/// themselves.
 class WholeBody {
  public:
   virtual ~WholeBody() = default;
 
-  /// Writes the command of this tick. A failed solve is told in the report; the command is then
-  /// the previous one. Does not allocate after the first call.
-  virtual WbcReport Solve(const RobotState& state, const ComTarget& com,
+  /// Writes the command of this tick. `body` must be at `state`. A failed solve is told in the
+  /// report; the command is then the previous one. Does not allocate after the first call.
+  virtual WbcReport Solve(const RobotState& state, const RigidBody& body, const ComTarget& com,
                           const std::vector<FootTarget>& feet, ActuatorCommand* command) = 0;
-};
 
-/// Does nothing: zero torque, whatever is asked.
-class Passive final : public WholeBody {
- public:
-  WbcReport Solve(const RobotState& state, const ComTarget& com,
-                  const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
-};
+  /// A copy that goes on from here bit for bit as this one does.
+  virtual std::unique_ptr<WholeBody> Clone() const = 0;
 
-/// Hands the MPC's vertex forces and footholds to the centroidal plant.
-class CentroidalForces final : public WholeBody {
- public:
-  WbcReport Solve(const RobotState& state, const ComTarget& com,
-                  const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
+ protected:
+  WholeBody() = default;
+  WholeBody(const WholeBody&) = default;
+  WholeBody& operator=(const WholeBody&) = default;
 };
 
 }  // namespace sidestep::wbc

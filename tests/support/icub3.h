@@ -32,14 +32,14 @@ inline RobotState MovingIcub(const RigidBody& body, int variant) {
         body.joint_lower()[i] + share * (body.joint_upper()[i] - body.joint_lower()[i]);
     state.joint_velocity[i] = 1.5 * std::sin(1.7 * i + variant);
   }
-  state.feet.resize(body.feet().size());
+  state.feet.resize(body.num_feet());
   return state;
 }
 
 /// At home, at rest, both feet in contact; `body` is left there.
 inline RobotState IcubAtHome(RigidBody* body) {
   RobotState state;
-  state.feet.resize(body->feet().size());
+  state.feet.resize(body->num_feet());
   body->WriteHome(&state);
   body->Update(state);
   body->FillDerived(&state);

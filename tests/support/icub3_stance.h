@@ -66,7 +66,7 @@ struct IcubStance {
 inline RobotState StandOnFoot(std::size_t foot, const Eigen::Vector3d& p_WF,
                               const Eigen::VectorXd& joint_position, RigidBody* body) {
   RobotState state;
-  state.feet.resize(body->feet().size());
+  state.feet.resize(body->num_feet());
   state.joint_position = joint_position;
   state.joint_velocity.setZero(joint_position.size());
   body->Update(state);

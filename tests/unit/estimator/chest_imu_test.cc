@@ -82,11 +82,11 @@ class ChestImuTest : public testing::Test {
 };
 
 TEST_F(ChestImuTest, BaseAttitudeAndRateComeThroughTheMovingJoints) {
-  LegOdometry odometry(robot_, EstimatorParams{}, 0.005, &body_);
+  LegOdometry odometry(robot_, EstimatorParams{}, ExternalWrenchKnowledge::kUnknown, 0.005, body_);
   double fastest_joint_radps = 0.0;
   for (const double time_s : {0.1, 0.23, 0.4, 0.61, 0.8}) {
     const SensorFrame frame = FrameAt(time_s, true, 0.0);
-    const RobotState state = odometry.Update(frame);
+    const RobotState state = odometry.Update(frame, &body_);
     const RobotState truth = At(time_s, true);
     const Eigen::Matrix3d R_WB = truth.q_WB.toRotationMatrix();
     EXPECT_LT(SmallTurn_W(R_WB, state.q_WB.toRotationMatrix()).norm(), 1e-9) << time_s;
@@ -107,11 +107,11 @@ TEST_F(ChestImuTest, OffTheGroundTheBaseFollowsFromTheChestsAccelerations) {
   constexpr double kTick_s = 0.001;
   EstimatorParams params;
   params.contact_threshold_N = 25.0;
-  LegOdometry odometry(robot_, params, kTick_s, &body_);
+  LegOdometry odometry(robot_, params, ExternalWrenchKnowledge::kUnknown, kTick_s, body_);
   double speed_error_mps = 0.0, position_error_m = 0.0, speed_mps = 0.0;
   for (int tick = 0; tick <= 500; ++tick) {
     const double time_s = tick * kTick_s;
-    const RobotState state = odometry.Update(FrameAt(time_s, true, 0.0));
+    const RobotState state = odometry.Update(FrameAt(time_s, true, 0.0), &body_);
     const Eigen::Vector3d v_WB =
         (At(time_s + kStep_s, true).p_WB - At(time_s - kStep_s, true).p_WB) / (2.0 * kStep_s);
     speed_error_mps = std::max(speed_error_mps, (state.v_WB - v_WB).norm());
@@ -136,12 +136,12 @@ class StandingDriftTest : public ChestImuTest {
   /// off on every axis.
   Drift Stand(const EstimatorParams& params) {
     constexpr double kTick_s = 0.005;
-    LegOdometry odometry(robot_, params, kTick_s, &body_);
+    LegOdometry odometry(robot_, params, ExternalWrenchKnowledge::kUnknown, kTick_s, body_);
     Drift drift;
     for (int tick = 0; tick <= 400; ++tick) {
       SensorFrame frame = FrameAt(tick * kTick_s, false, 257.0);
       frame.imu.accelerometer_mps2 += Eigen::Vector3d(0.1, -0.1, 0.1);
-      const RobotState& state = odometry.Update(frame);
+      const RobotState& state = odometry.Update(frame, &body_);
       drift.speed_mps = std::max(drift.speed_mps, state.v_WB.norm());
       drift.position_m = std::max(drift.position_m, (state.p_WB - home_.p_WB).norm());
       drift.turn_rad = std::max(drift.turn_rad, state.q_WB.angularDistance(home_.q_WB));

@@ -33,7 +33,7 @@ class ForceSensingTest : public testing::Test {
   ForceSensingTest() {
     params_.contact_threshold_N = 25.0;
     params_.wrench_deadband_N = 5.0;
-    Restart();
+    sensing_ = ForceSensing(robot_, params_, kTick_s, body_);
     state_.p_WB = {0.3, -0.2, 0.6};
     state_.q_WB = Eigen::Quaterniond(0.9, 0.1, -0.2, 0.3).normalized();
     state_.joint_position.setZero(12);
@@ -41,9 +41,9 @@ class ForceSensingTest : public testing::Test {
     state_.feet.resize(2);
     body_.Update(state_);
     body_.FillDerived(&state_);
-    body_.UpdateForceTorque(Eigen::VectorXd::Zero(body_.num_velocities()));
     frame_.feet.resize(2);
-    for (const ForceTorqueKinematics& site : body_.force_torque()) {
+    for (const ForceTorqueKinematics& site :
+         body_.PredictForceTorque(Eigen::VectorXd::Zero(body_.num_velocities()))) {
       frame_.force_torque.push_back(site.unloaded);
     }
   }
@@ -58,11 +58,9 @@ class ForceSensingTest : public testing::Test {
   }
 
   const RobotState& Feed(int ticks) {
-    for (int i = 0; i < ticks; ++i) sensing_.Update(frame_, &state_);
+    for (int i = 0; i < ticks; ++i) sensing_.Update(frame_, &body_, &state_);
     return state_;
   }
-
-  void Restart() { sensing_ = ForceSensing(robot_, params_, kTick_s, &body_); }
 
   TempFolder folder_;
   const RobotDescription robot_{BoxBiped(folder_)};
@@ -70,7 +68,7 @@ class ForceSensingTest : public testing::Test {
   EstimatorParams params_;
   RobotState state_;
   SensorFrame frame_;
-  ForceSensing sensing_{robot_, params_, kTick_s, &body_};
+  ForceSensing sensing_{robot_, params_, kTick_s, body_};
 };
 
 TEST_F(ForceSensingTest, UnloadedReadingsAreNoTouchAtAll) {
@@ -80,18 +78,19 @@ TEST_F(ForceSensingTest, UnloadedReadingsAreNoTouchAtAll) {
     EXPECT_LT(foot.wrench.torque_Nm.norm(), kRounding);
     EXPECT_FALSE(foot.in_contact);
   }
-  EXPECT_EQ(state_.external_wrench.force_N, Eigen::Vector3d::Zero());
+  EXPECT_LT(sensing_.arms().force_N.norm(), kRounding);
+  EXPECT_LT(sensing_.arms().torque_Nm.norm(), kRounding);
 }
 
 TEST_F(ForceSensingTest, WrenchAtTheHandIsRecoveredAboutTheCom) {
   const Wrench wrench_W{{7.0, -40.0, 11.0}, {0.5, -0.3, 0.8}};
   Load(kArm, wrench_W, kPalm_B);
-  Feed(1000);  // 63 time constants of the low-pass
+  Feed(1);  // at once: nothing is smoothed here
   const Eigen::Vector3d p_WP = state_.p_WB + state_.q_WB * kPalm_B;
   const Eigen::Vector3d torque_Nm =
       wrench_W.torque_Nm + (p_WP - state_.p_WC).cross(wrench_W.force_N);
-  EXPECT_LT((state_.external_wrench.force_N - wrench_W.force_N).norm(), kRounding);
-  EXPECT_LT((state_.external_wrench.torque_Nm - torque_Nm).norm(), kRounding);
+  EXPECT_LT((sensing_.arms().force_N - wrench_W.force_N).norm(), kRounding);
+  EXPECT_LT((sensing_.arms().torque_Nm - torque_Nm).norm(), kRounding);
   EXPECT_GT((torque_Nm - wrench_W.torque_Nm).norm(), 1.0) << "without a lever it shows little";
 }
 
@@ -110,7 +109,7 @@ TEST_F(ForceSensingTest, BothPlatesOfAFootAddUpAboutItsSole) {
       << "at once: a foot's wrench is not smoothed";
   EXPECT_LT((left.wrench.torque_Nm - torque_Nm).norm(), kRounding);
   EXPECT_LT(state_.feet[1].wrench.force_N.norm(), kRounding) << "the other foot feels nothing";
-  EXPECT_LT(state_.external_wrench.force_N.norm(), kRounding) << "nor do the arms";
+  EXPECT_LT(sensing_.arms().force_N.norm(), kRounding) << "nor do the arms";
 }
 
 TEST_F(ForceSensingTest, FootStandsWhenItIsPressedUpwardsBeyondTheThreshold) {
@@ -129,41 +128,13 @@ TEST_F(ForceSensingTest, FootStandsWhenItIsPressedUpwardsBeyondTheThreshold) {
   EXPECT_FALSE(stands_under({0.0, 0.0, -100.0})) << "nor is being pulled down";
 }
 
-TEST_F(ForceSensingTest, SmoothingTakesOneTimeConstantOfItsCutoff) {
-  params_.wrench_deadband_N = 0.0;
-  params_.wrench_cutoff_hz = 10.0;
-  Restart();
-  Load(kArm, {{0.0, 100.0, 0.0}, Eigen::Vector3d::Zero()}, kPalm_B);
-  const double torque_Nm =
-      100.0 *
-      (state_.q_WB * kPalm_B + state_.p_WB - state_.p_WC).cross(Eigen::Vector3d::UnitY()).x();
-  // By hand: 1 / (2 pi 10 Hz) = 15.9 ms, when 1 - 1/e = 63.2 % are there; a step of 1 ms blurs
-  // that by half a step, 1.2 %.
-  EXPECT_NEAR(Feed(16).external_wrench.force_N.y(), 63.2, 1.5);
-  EXPECT_NEAR(state_.external_wrench.torque_Nm.x() / torque_Nm, 0.632, 0.015);
-  EXPECT_NEAR(Feed(16).external_wrench.force_N.y(), 86.5, 1.5);
-  frame_.force_torque[kArm.index] = body_.force_torque()[kArm.index].unloaded;
-  EXPECT_NEAR(Feed(16).external_wrench.force_N.y(), 86.5 * 0.368, 1.5) << "and back";
-}
-
-TEST_F(ForceSensingTest, ForceWithinTheDeadBandIsTakenForNoneWhateverItsTorque) {
-  Load(kArm, {{0.0, 4.9, 0.0}, {30.0, 0.0, 0.0}}, kPalm_B);
-  Feed(1000);
-  EXPECT_EQ(state_.external_wrench.force_N, Eigen::Vector3d::Zero());
-  EXPECT_EQ(state_.external_wrench.torque_Nm, Eigen::Vector3d::Zero());
-  Load(kArm, {{0.0, 0.2, 0.0}, Eigen::Vector3d::Zero()}, kPalm_B);
-  Feed(1000);
-  EXPECT_LT((state_.external_wrench.force_N - Eigen::Vector3d(0.0, 5.1, 0.0)).norm(), kRounding)
-      << "beyond it the whole force counts";
-}
-
 TEST_F(ForceSensingTest, FootWithATouchSensorFeelsItsNormalForceAlone) {
   RobotDescription touching = robot_;
   touching.feet[0].force_torque.clear();
-  ForceSensing sensing(touching, params_, kTick_s, &body_);
+  ForceSensing sensing(touching, params_, kTick_s, body_);
   Load(kLeftFront, {{9.0, 9.0, 90.0}, Eigen::Vector3d::Zero()}, kLeftSole_B);
   frame_.feet[0].normal_force_N = 33.0;
-  sensing.Update(frame_, &state_);
+  sensing.Update(frame_, &body_, &state_);
   EXPECT_EQ(state_.feet[0].wrench.force_N, Eigen::Vector3d(0.0, 0.0, 33.0));
   EXPECT_EQ(state_.feet[0].wrench.torque_Nm, Eigen::Vector3d::Zero());
   EXPECT_TRUE(state_.feet[0].in_contact);
@@ -172,7 +143,7 @@ TEST_F(ForceSensingTest, FootWithATouchSensorFeelsItsNormalForceAlone) {
 // The shoulder speeds up at 20 rad/s^2: 0.8 kg on 0.25 m are 4 N that nobody exerts.
 TEST_F(ForceSensingTest, InertiaOfAMovingArmIsNotTakenForAPush) {
   constexpr double kAcceleration_radps2 = 20.0;
-  TruthEstimator estimator(robot_, params_, kTick_s, &body_);
+  TruthEstimator estimator(robot_, params_, ExternalWrenchKnowledge::kEstimated, kTick_s, body_);
   RigidBody truth(robot_);
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(truth.num_velocities());
   Eigen::VectorXd nudot = still;
@@ -188,14 +159,14 @@ TEST_F(ForceSensingTest, InertiaOfAMovingArmIsNotTakenForAPush) {
     frame_.joint_position = state_.joint_position;
     frame_.joint_velocity = state_.joint_velocity;
     truth.Update(state_);
-    truth.UpdateForceTorque(nudot);
-    for (std::size_t i = 0; i < 5; ++i) frame_.force_torque[i] = truth.force_torque()[i].unloaded;
-    const ForceTorqueKinematics& arm = truth.force_torque()[kArm.index];
+    const std::vector<ForceTorqueKinematics>& sites = truth.PredictForceTorque(nudot);
+    for (std::size_t i = 0; i < 5; ++i) frame_.force_torque[i] = sites[i].unloaded;
+    const ForceTorqueKinematics& arm = sites[kArm.index];
     frame_.force_torque[kArm.index].force_N += arm.R_WS.transpose() * force_N;
     const Eigen::Vector3d moving_N = arm.unloaded.force_N;
-    truth.UpdateForceTorque(still);
+    truth.PredictForceTorque(still);
     inertia_N = (moving_N - arm.unloaded.force_N).norm();
-    felt_N = estimator.Update(frame_).external_wrench.force_N;
+    felt_N = estimator.Update(frame_, &body_).external_wrench.force_N;
   }
   EXPECT_GT(inertia_N, 3.0) << "hardly any inertia";
   // After twelve time constants of the smoothing, what was wrong at the start is gone.

@@ -34,13 +34,13 @@ SensorFrame HomeFrame(bool stands) {
 class LegOdometryTest : public testing::Test {
  protected:
   const RobotState& Feed(const SensorFrame& frame, int ticks) {
-    for (int i = 0; i < ticks - 1; ++i) odometry_.Update(frame);
-    return odometry_.Update(frame);
+    for (int i = 0; i < ticks - 1; ++i) odometry_.Update(frame, &body_);
+    return odometry_.Update(frame, &body_);
   }
 
   RigidBody body_{Hopper()};
   EstimatorParams params_;
-  LegOdometry odometry_{Hopper(), params_, kTick_s, &body_};
+  LegOdometry odometry_{Hopper(), params_, ExternalWrenchKnowledge::kUnknown, kTick_s, body_};
 };
 
 TEST_F(LegOdometryTest, StandingStillItStaysWhereItStarted) {
@@ -84,7 +84,7 @@ TEST_F(LegOdometryTest, AccelerometerIsTurnedIntoTheWorldByTheUnitsAttitude) {
 TEST_F(LegOdometryTest, FirstFrameIsTheStartWhateverTheAccelerometerSays) {
   SensorFrame frame = HomeFrame(false);
   frame.imu.accelerometer_mps2 = {100.0, 0.0, 0.0};
-  const RobotState& state = odometry_.Update(frame);
+  const RobotState& state = odometry_.Update(frame, &body_);
   EXPECT_LT((state.p_WB - Eigen::Vector3d(0.0, 0.0, 0.515)).norm(), 1e-12);
   EXPECT_LT(state.v_WB.norm(), 1e-12);
 }
@@ -114,9 +114,9 @@ TEST_F(LegOdometryTest, MovingJointsOfAStandingFootMoveTheBase) {
   frame.joint_velocity[2] = kSpeed_mps;
   for (int i = 0; i < 500; ++i) {
     frame.joint_position[2] = 0.15 + kSpeed_mps * kTick_s * i;
-    odometry_.Update(frame);
+    odometry_.Update(frame, &body_);
   }
-  const RobotState& state = odometry_.Update(frame);
+  const RobotState& state = odometry_.Update(frame, &body_);
   EXPECT_NEAR(state.v_WB.z(), kSpeed_mps, 0.005);
   EXPECT_NEAR(state.p_WB.z(), 0.515 + 0.05, 0.002);
 }
@@ -142,10 +142,11 @@ TEST(LegOdometryOnMujocoTest, TumblingFreelyItFollowsThePerfectSensors) {
   MujocoWorld world = MakeMujocoWorld(scenario);
   SensorSuite sensors = MakeSensorSuite(scenario, world.mass_kg());
   RigidBody body(scenario.description_of_robot);
-  LegOdometry odometry(scenario.description_of_robot, scenario.control.estimation, kTick_s, &body);
+  LegOdometry odometry(scenario.description_of_robot, scenario.control.estimation,
+                       ExternalWrenchKnowledge::kUnknown, kTick_s, body);
   Errors errors;
   for (Tick tick = 0; tick <= 500; ++tick) {
-    errors.Add(odometry.Update(sensors.Read(world.truth(), tick)), world.truth());
+    errors.Add(odometry.Update(sensors.Read(world.truth(), tick), &body), world.truth());
     world.Step(tick);
   }
   EXPECT_GT(world.truth().w_WB_B.norm(), 1.0) << "hardly a tumble";

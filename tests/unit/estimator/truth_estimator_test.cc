@@ -27,9 +27,10 @@ SensorFrame Frame() {
 
 TEST(TruthEstimatorTest, BelievesTheTruthAndDerivesTheRestFromIt) {
   RigidBody body(Hopper()), other(Hopper());
-  TruthEstimator estimator(Hopper(), EstimatorParams{}, 0.001, &body);
+  TruthEstimator estimator(Hopper(), EstimatorParams{}, ExternalWrenchKnowledge::kUnknown, 0.001,
+                           body);
   const SensorFrame frame = Frame();
-  const RobotState& state = estimator.Update(frame);
+  const RobotState& state = estimator.Update(frame, &body);
   EXPECT_EQ(state.p_WB, frame.truth->p_WB);
   EXPECT_EQ(state.q_WB.coeffs(), frame.truth->q_WB.coeffs());
   EXPECT_EQ(state.v_WB, frame.truth->v_WB);
@@ -48,23 +49,24 @@ TEST(TruthEstimatorTest, FootStandsAboveTheContactThreshold) {
   RigidBody body(Hopper());
   EstimatorParams params;
   params.contact_threshold_N = 2.0;
-  TruthEstimator estimator(Hopper(), params, 0.001, &body);
+  TruthEstimator estimator(Hopper(), params, ExternalWrenchKnowledge::kUnknown, 0.001, body);
   SensorFrame frame = Frame();
-  EXPECT_FALSE(estimator.Update(frame).feet[0].in_contact) << "at the threshold";
+  EXPECT_FALSE(estimator.Update(frame, &body).feet[0].in_contact) << "at the threshold";
   frame.feet[0].normal_force_N = 2.1;
-  EXPECT_TRUE(estimator.Update(frame).feet[0].in_contact);
+  EXPECT_TRUE(estimator.Update(frame, &body).feet[0].in_contact);
 }
 
 TEST(TruthEstimatorTest, FrameWithoutTruthBreaksTheContract) {
   RigidBody body(Hopper());
-  TruthEstimator estimator(Hopper(), EstimatorParams{}, 0.001, &body);
+  TruthEstimator estimator(Hopper(), EstimatorParams{}, ExternalWrenchKnowledge::kUnknown, 0.001,
+                           body);
   SensorFrame frame = Frame();
   frame.truth.reset();
-  EXPECT_THROW(estimator.Update(frame), ContractViolation);
+  EXPECT_THROW(estimator.Update(frame, &body), ContractViolation);
 }
 
 TEST(CentroidalEstimatorTest, BelievesTheReducedState) {
-  CentroidalEstimator estimator(2, 4.0, 0.3);
+  CentroidalEstimator estimator(2, 4.0, 0.3, ExternalWrenchKnowledge::kUnknown);
   SensorFrame frame;
   frame.feet = {{5.0}, {0.1}};
   frame.centroidal = CentroidalSample{
@@ -79,7 +81,7 @@ TEST(CentroidalEstimatorTest, BelievesTheReducedState) {
 }
 
 TEST(CentroidalEstimatorTest, FrameWithoutReducedStateBreaksTheContract) {
-  CentroidalEstimator estimator(1, 1.0, 0.3);
+  CentroidalEstimator estimator(1, 1.0, 0.3, ExternalWrenchKnowledge::kUnknown);
   EXPECT_THROW(estimator.Update(SensorFrame{}), ContractViolation);
 }
 

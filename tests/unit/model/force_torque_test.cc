@@ -94,12 +94,13 @@ TEST_P(ForceTorqueTest, AtRestASensorFeelsTheWeightBelowIt) {
   state.w_WB_B.setZero();
   state.joint_velocity.setZero();
   body_.Update(state);
-  body_.UpdateForceTorque(Eigen::VectorXd::Zero(body_.num_velocities()));
+  const std::vector<ForceTorqueKinematics>& sites =
+      body_.PredictForceTorque(Eigen::VectorXd::Zero(body_.num_velocities()));
   reference_.SetPoses(state);
-  ASSERT_EQ(body_.force_torque().size(), kDistalMass_kg.size());
+  ASSERT_EQ(sites.size(), kDistalMass_kg.size());
   for (std::size_t i = 0; i < robot_.force_torque.size(); ++i) {
     const std::string& name = robot_.force_torque[i];
-    const ForceTorqueKinematics& site = body_.force_torque()[i];
+    const ForceTorqueKinematics& site = sites[i];
     EXPECT_LT((site.p_WS - reference_.Position(name)).norm(), 1e-12) << name;
     EXPECT_LT((site.R_WS - reference_.Rotation(name)).norm(), 1e-12) << name;
     const Eigen::Vector3d weight_N = kDistalMass_kg.at(name) * kGravity_mps2;
@@ -118,12 +119,12 @@ TEST_P(ForceTorqueTest, MovingItFeelsWeightLessTheRateOfTheMomentumBelowIt) {
   body_.Update(state);
   const int nv = body_.num_velocities();
   const Eigen::VectorXd nudot = 6.0 * Eigen::VectorXd::LinSpaced(nv, -1.0, 1.3).array().sin();
-  body_.UpdateForceTorque(nudot);
+  const std::vector<ForceTorqueKinematics>& sites = body_.PredictForceTorque(nudot);
   const RobotState after = After(state, nudot, kStep_s);
   const RobotState before = After(state, nudot, -kStep_s);
   for (std::size_t i = 0; i < robot_.force_torque.size(); ++i) {
     const std::string& name = robot_.force_torque[i];
-    const ForceTorqueKinematics& site = body_.force_torque()[i];
+    const ForceTorqueKinematics& site = sites[i];
     const Momentum late = DistalMomentum(after, name, site.p_WS);
     const Momentum early = DistalMomentum(before, name, site.p_WS);
     reference_.SetPoses(state);
@@ -147,13 +148,13 @@ TEST_P(ForceTorqueTest, PredictionLeavesTheRestOfTheModelAlone) {
   body_.Update(state);
   const Eigen::MatrixXd mass_matrix = body_.mass_matrix();
   const Eigen::VectorXd bias = body_.bias();
-  const Eigen::Vector3d foot_bias_mps2 = body_.feet()[1].bias_mps2;
-  body_.UpdateForceTorque(Eigen::VectorXd::Constant(body_.num_velocities(), 50.0));
+  const Eigen::Vector3d foot_bias_mps2 = body_.foot_bias(1).linear_mps2;
+  body_.PredictForceTorque(Eigen::VectorXd::Constant(body_.num_velocities(), 50.0));
   EXPECT_EQ(body_.mass_matrix(), mass_matrix);
   EXPECT_EQ(body_.bias(), bias);
   body_.Update(state);
   EXPECT_EQ(body_.bias(), bias);
-  EXPECT_EQ(body_.feet()[1].bias_mps2, foot_bias_mps2);
+  EXPECT_EQ(body_.foot_bias(1).linear_mps2, foot_bias_mps2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, ForceTorqueTest, testing::Range(0, 2));

@@ -48,8 +48,8 @@ TEST_P(Icub3RigidBodyTest, FootJacobiansAreTheDerivativesOfTheFeetsPoses) {
       const FootKinematics& to = after.feet()[foot];
       const Eigen::Vector3d v_WF = (to.p_WF - from.p_WF) / (2.0 * kStep);
       const Eigen::Vector3d w_WF = SmallTurn_W(from.R_WF, to.R_WF) / (2.0 * kStep);
-      EXPECT_LT((body_.feet()[foot].J.col(i) - v_WF).norm(), kDifferenceTolerance) << i;
-      EXPECT_LT((body_.feet()[foot].J_rot.col(i) - w_WF).norm(), kDifferenceTolerance) << i;
+      EXPECT_LT((body_.foot_jacobian(foot).J.col(i) - v_WF).norm(), kDifferenceTolerance) << i;
+      EXPECT_LT((body_.foot_jacobian(foot).J_rot.col(i) - w_WF).norm(), kDifferenceTolerance) << i;
     }
   });
 }
@@ -60,7 +60,7 @@ TEST_P(Icub3RigidBodyTest, TorsoJacobianIsTheDerivativeOfItsAttitude) {
   AlongEveryVelocity([&](int i, const RigidBody& after, const RigidBody& before) {
     const Eigen::Vector3d w_WT =
         SmallTurn_W(before.torso().R_WT, after.torso().R_WT) / (2.0 * kStep);
-    EXPECT_LT((body_.torso().J_rot.col(i) - w_WT).norm(), kDifferenceTolerance) << i;
+    EXPECT_LT((body_.torso_jacobian().col(i) - w_WT).norm(), kDifferenceTolerance) << i;
     moved_by_joints += i >= 6 && w_WT.norm() > 0.5 ? 1 : 0;
   });
   EXPECT_EQ(moved_by_joints, 3) << "pitch, roll and yaw of the torso, nothing else";
@@ -149,7 +149,7 @@ TEST_P(Icub3RigidBodyTest, ImuIsLocatedByTheJointsAlone) {
   RobotState level = state_;
   level.q_WB.setIdentity();
   level.w_WB_B.setZero();
-  body_.UpdateKinematics(level);
+  body_.Update(level);
   EXPECT_LT((located.R_BU - body_.imu().R_WU).norm(), 1e-12);
   EXPECT_LT((located.w_BU_B - body_.imu().w_WU).norm(), 1e-12);
   EXPECT_GT(located.w_BU_B.norm(), 0.1) << "a resting IMU proves nothing";

@@ -32,13 +32,9 @@ double Cost(const DenseQpProblem& problem, const Eigen::VectorXd& x) {
 }
 
 /// The problem of the last solve, which has no CoM rows if those had to give way.
-DenseQpProblem Recorded(const InverseKinematics& inverse_kinematics, bool is_exact) {
-  DenseQpProblem problem = inverse_kinematics.problem();
-  if (is_exact) return problem;
-  const Eigen::Index rows = problem.A.rows() - 3;
-  problem.A.conservativeResize(rows, Eigen::NoChange);
-  problem.b.conservativeResize(rows);
-  return problem;
+DenseQpProblem Recorded(const InverseKinematics& inverse_kinematics) {
+  const DenseQpView view = inverse_kinematics.problem();
+  return {view.H, view.g, view.A, view.b, view.C, view.lower, view.upper};
 }
 
 TEST(RecordedVelocityQpTest, CostAndPointAgreeWithIpopt) {
@@ -52,8 +48,8 @@ TEST(RecordedVelocityQpTest, CostAndPointAgreeWithIpopt) {
   for (int number = 0; number < kProblems; ++number) {
     targets.Next();
     const bool is_exact =
-        inverse_kinematics.Solve(stance.state, stance.com, stance.feet, &command).ok;
-    const DenseQpProblem problem = Recorded(inverse_kinematics, is_exact);
+        inverse_kinematics.Solve(stance.state, stance.body, stance.com, stance.feet, &command).ok;
+    const DenseQpProblem problem = Recorded(inverse_kinematics);
     const DenseQpSolution& solution = solver.Solve(problem);
     const IpoptQpResult reference = SolveWithIpopt(problem, kIpoptTolerance);
     if (solution.status == QpStatus::kInfeasible) {

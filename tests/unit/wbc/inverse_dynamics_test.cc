@@ -65,20 +65,20 @@ class InverseDynamicsTest : public testing::Test {
   }
 
   WbcReport Solve() {
-    InverseDynamics dynamics(robot_, params_, &body_);
-    return dynamics.Solve(state_, com_, feet_, &command_);
+    InverseDynamics dynamics(robot_, params_, body_);
+    return dynamics.Solve(state_, body_, com_, feet_, &command_);
   }
 
   /// Solves M nudot + h = S^T tau + J^T f with J nudot + Jdot nu = 0.
   Pinned CarryOut() const {
     const Eigen::Index nv = body_.num_velocities();
-    const FootKinematics& foot = body_.feet()[0];
+    const Jacobian3& J = body_.foot_jacobian(0).J;
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(nv + 3, nv + 3);
     system.topLeftCorner(nv, nv) = body_.mass_matrix();
-    system.topRightCorner(nv, 3) = -foot.J.transpose();
-    system.bottomLeftCorner(3, nv) = foot.J;
+    system.topRightCorner(nv, 3) = -J.transpose();
+    system.bottomLeftCorner(3, nv) = J;
     Eigen::VectorXd right(nv + 3);
-    right << -body_.bias(), -foot.bias_mps2;
+    right << -body_.bias(), -body_.foot_bias(0).linear_mps2;
     for (std::size_t i = 0; i < 3; ++i) {
       right[body_.actuated_velocity()[i]] += command_.torque_Nm[static_cast<Eigen::Index>(i)];
     }
@@ -201,9 +201,9 @@ TEST_F(InverseDynamicsTest, FootInFlightGetsTheAccelerationAskedFor) {
   feet_[0].p_WF += Eigen::Vector3d(0.001, 0.0, -0.002);
   feet_[0].v_WF += Eigen::Vector3d(0.0, 0.05, 0.0);
   EXPECT_TRUE(Solve().ok);
-  const FootKinematics& foot = body_.feet()[0];
   // By hand, with gains 900 and 60: (3 + 0.9, -2 + 3, 4 - 1.8).
-  const Eigen::Vector3d a_WF = foot.J * CarryOutInFlight() + foot.bias_mps2;
+  const Eigen::Vector3d a_WF =
+      body_.foot_jacobian(0).J * CarryOutInFlight() + body_.foot_bias(0).linear_mps2;
   // The posture's weight gives way by 1e-8 times accelerations of up to 1e3.
   EXPECT_LT((a_WF - Eigen::Vector3d(3.9, 1.0, 2.2)).norm(), 1e-4);
 }
@@ -227,16 +227,16 @@ TEST_F(InverseDynamicsTest, FootThatTheSensorDoesNotFeelCarriesNoForce) {
 }
 
 TEST_F(InverseDynamicsTest, FailedSolveIsToldAndKeepsThePreviousCommand) {
-  InverseDynamics dynamics(robot_, params_, &body_);
-  EXPECT_TRUE(dynamics.Solve(state_, com_, feet_, &command_).ok);
+  InverseDynamics dynamics(robot_, params_, body_);
+  EXPECT_TRUE(dynamics.Solve(state_, body_, com_, feet_, &command_).ok);
   const Eigen::VectorXd before = command_.torque_Nm;
   com_.a_WC.x() = std::numeric_limits<double>::quiet_NaN();
-  const WbcReport report = dynamics.Solve(state_, com_, feet_, &command_);
+  const WbcReport report = dynamics.Solve(state_, body_, com_, feet_, &command_);
   EXPECT_FALSE(report.ok);
   EXPECT_EQ(report.status, QpStatus::kNumericalError);
   EXPECT_EQ(command_.torque_Nm, before);
   com_.a_WC.x() = 0.0;
-  EXPECT_TRUE(dynamics.Solve(state_, com_, feet_, &command_).ok) << "it recovers";
+  EXPECT_TRUE(dynamics.Solve(state_, body_, com_, feet_, &command_).ok) << "it recovers";
 }
 
 TEST_F(InverseDynamicsTest, FailedFirstSolveCommandsZeroTorque) {

@@ -71,7 +71,8 @@ TEST_P(InverseKinematicsLimitsTest, WildTargetsKeepEveryLimitAndEveryStatusIsTol
   ActuatorCommand command;
   for (int tick = 0; tick < kTicks; ++tick) {
     wild.Next();
-    const WbcReport report = ik.Solve(stance_.state, stance_.com, stance_.feet, &command);
+    const WbcReport report =
+        ik.Solve(stance_.state, stance_.body, stance_.com, stance_.feet, &command);
     Check(command, tick);
     Count(report, command, tick);
   }
@@ -91,7 +92,7 @@ TEST(InverseKinematicsLimitTest, ComThatTheLegsCannotFollowGivesWayToTheFeet) {
   WbcReport report;
   int given_way = 0;
   for (int tick = 0; tick < 60; ++tick) {
-    report = ik.Solve(stance.state, stance.com, stance.feet, &command);
+    report = ik.Solve(stance.state, stance.body, stance.com, stance.feet, &command);
     EXPECT_EQ(report.status, QpStatus::kSolved) << tick;
     given_way += report.ok ? 0 : 1;
   }
@@ -114,7 +115,7 @@ TEST(InverseKinematicsLimitTest, JointThatStartsBeyondItsLimitComesBackWithinIt)
   ActuatorCommand command;
   double before_rad = lower_rad - 0.02;
   for (int tick = 0; tick < 20; ++tick) {
-    EXPECT_TRUE(ik.Solve(stance.state, stance.com, stance.feet, &command).ok) << tick;
+    EXPECT_TRUE(ik.Solve(stance.state, stance.body, stance.com, stance.feet, &command).ok) << tick;
     EXPECT_GT(command.joint_position[kElbow], before_rad) << tick;
     before_rad = command.joint_position[kElbow];
   }

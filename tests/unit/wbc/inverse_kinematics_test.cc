@@ -16,7 +16,7 @@ namespace {
 class InverseKinematicsTest : public testing::Test {
  protected:
   WbcReport Solve(InverseKinematics* ik) {
-    return ik->Solve(stance_.state, stance_.com, stance_.feet, &command_);
+    return ik->Solve(stance_.state, stance_.body, stance_.com, stance_.feet, &command_);
   }
 
   /// Ticks of unchanged targets, each of which must be solved.
@@ -51,13 +51,14 @@ TEST_F(InverseKinematicsTest, JointVelocitiesMeetTheTasksOfBothFeetAndTheCom) {
   Run(1, &ik);
 
   // The left foot is where it is to stay, but for its height and tilt: gains of 5 and 4 a second.
-  FootVelocity stays;
+  FootTwist stays;
   stays.linear.z() = -5.0 * left.p_WF.z();
   stays.angular = 4.0 * SmallTurn_W(left.R_WF, Eigen::Matrix3d::Identity());
   const Eigen::VectorXd nu = WithBaseTwist(stance_.body, 0, stays, command_.joint_velocity);
   const Eigen::Vector3d v_WF(0.10 + 0.05, -0.05 - 0.10, 0.20 + 0.15);
-  EXPECT_LT((right.J * nu - v_WF).norm(), 1e-7);
-  EXPECT_LT((right.J_rot * nu - Eigen::Vector3d(0.0, 0.0, 0.2)).norm(), 1e-7);
+  EXPECT_LT((stance_.body.foot_jacobian(1).J * nu - v_WF).norm(), 1e-7);
+  EXPECT_LT((stance_.body.foot_jacobian(1).J_rot * nu - Eigen::Vector3d(0.0, 0.0, 0.2)).norm(),
+            1e-7);
   EXPECT_LT((stance_.body.com_jacobian() * nu - stance_.com.v_WC).norm(), 1e-7);
 }
 

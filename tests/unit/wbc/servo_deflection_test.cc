@@ -133,8 +133,8 @@ TEST_F(ServoDeflectionTest, InverseKinematicsAddsItToItsReferences) {
   params.compensates_deflection = true;
   InverseKinematics compensating(stance_.robot, params, kStanceTick_s);
   ActuatorCommand without, with;
-  bare.Solve(stance_.state, stance_.com, stance_.feet, &without);
-  compensating.Solve(stance_.state, stance_.com, stance_.feet, &with);
+  bare.Solve(stance_.state, stance_.body, stance_.com, stance_.feet, &without);
+  compensating.Solve(stance_.state, stance_.body, stance_.com, stance_.feet, &with);
   // The reference moves by 1e-4 rad from home in a tick, and its torques by as little.
   const Eigen::VectorXd torque_Nm = Torque(with.joint_position - without.joint_position);
   EXPECT_LT((torque_Nm - HoldingTorque(stance_.state)).cwiseAbs().maxCoeff(), 0.05);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// contact_forces: what the ground may do to the feet: forces at the vertices of the soles.
+//
+//   generalised force   sum_V J_V' f_V,     J_V = J_F - [R_WF p_FV]x J_F,rot
+//   wrench about F      [sum f_V; sum (R_WF p_FV) x f_V]
+//   f_V within its friction pyramid, about the vertical: the floor is level
+//
+// As variables of a QP the forces of the feet in contact follow the nv accelerations, three a
+// vertex, foot by foot.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/model/rigid_body.h"
+#include "controller/types/control_tick.h"
+#include "controller/wbc/qp_builder.h"
+
+namespace sidestep::wbc {
+
+/// [force (N); moment about F (N m)] in W of forces at the vertices of a sole. `vertices_m` is
+/// 3 x n_v, in F; `vertex_force_N` is 3 x n_v, in W.
+Eigen::Matrix<double, 6, 1> FootWrench(const Eigen::Matrix3d& R_WF,
+                                       const Eigen::Matrix3Xd& vertices_m,
+                                       const Eigen::Matrix3Xd& vertex_force_N);
+
+class ContactForces {
+ public:
+  /// Of a robot of `num_velocities` velocities; `friction` is the pyramids' coefficient.
+  ContactForces(const RobotDescription& robot, int num_velocities, double friction);
+
+  /// Takes the feet that both plan and sensor have on the ground. Does not allocate.
+  void Update(const RobotState& state, const RigidBody& body, const std::vector<FootTarget>& feet);
+
+  Eigen::Index size() const { return size_; }  ///< Variables: 3 a vertex in contact.
+  Eigen::Index max_size() const { return jacobian_.rows(); }
+  Eigen::Index max_cone_rows() const { return max_size() / 3 * pyramid_.rows(); }
+
+  /// size() x nv: the J_V of the vertices in contact, one below the other.
+  auto jacobian() const { return jacobian_.topRows(size_); }
+
+  /// Weighs the deviation from the plan's vertex forces, per N^2.
+  void AddPlanTo(double weight, QpBuilder* qp) const;
+
+  /// The pyramids, as rows of the inequalities.
+  void AddConesTo(QpBuilder* qp) const;
+
+ private:
+  std::vector<Eigen::Matrix3Xd> vertices_m_;
+  Eigen::Matrix<double, 4, 3> pyramid_;
+  Eigen::Index num_velocities_;
+  Eigen::Index size_{0};
+  Eigen::MatrixXd jacobian_;   // of all vertices; the first size_ rows are in use
+  Eigen::VectorXd planned_N_;  // likewise
+};
+
+}  // namespace sidestep::wbc

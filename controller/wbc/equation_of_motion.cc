@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/wbc/equation_of_motion.h"
+
+namespace sidestep::wbc {
+
+void AddBaseRows(const RigidBody& body, const ContactForces& forces, QpBuilder* qp) {
+  const Eigen::Index nv = body.num_velocities();
+  EqualityRows rows = qp->AddEqualities(kBaseRows);
+  rows.A.leftCols(nv) = body.mass_matrix().topRows<kBaseRows>();
+  rows.A.middleCols(nv, forces.size()) = -forces.jacobian().leftCols<kBaseRows>().transpose();
+  rows.b = -body.bias().head<kBaseRows>();
+}
+
+void AddTorqueLimits(const RigidBody& body, const ContactForces& forces, QpBuilder* qp) {
+  const Eigen::Index nv = body.num_velocities();
+  InequalityRows rows = qp->AddInequalities(body.num_actuators());
+  for (Eigen::Index i = 0; i < body.num_actuators(); ++i) {
+    const Eigen::Index row = body.actuated_velocity()[static_cast<std::size_t>(i)];
+    const double limit_Nm = body.torque_limit_Nm()[i];
+    rows.C.row(i).head(nv) = body.mass_matrix().row(row);
+    rows.C.row(i).segment(nv, forces.size()) = -forces.jacobian().col(row).transpose();
+    rows.lower[i] = -limit_Nm - body.bias()[row];
+    rows.upper[i] = limit_Nm - body.bias()[row];
+  }
+}
+
+void WriteTorques(const RigidBody& body, const ContactForces& forces, const QpVector& x,
+                  Eigen::VectorXd* scratch, Eigen::VectorXd* torque_Nm) {
+  const Eigen::Index nv = body.num_velocities();
+  Eigen::VectorXd& generalised = *scratch;
+  generalised = body.bias();
+  generalised.noalias() += body.mass_matrix() * x.head(nv);
+  generalised.noalias() -= forces.jacobian().transpose() * x.segment(nv, forces.size());
+  for (Eigen::Index i = 0; i < body.num_actuators(); ++i) {
+    (*torque_Nm)[i] = generalised[body.actuated_velocity()[static_cast<std::size_t>(i)]];
+  }
+}
+
+}  // namespace sidestep::wbc

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/wbc/qp_builder.h"
+
+#include "models/support/require.h"
+
+namespace sidestep::wbc {
+
+QpBuilder::QpBuilder(const DenseQpDimensions& maxima) {
+  qp_.H.setZero(maxima.variables, maxima.variables);
+  qp_.g.setZero(maxima.variables);
+  qp_.A.setZero(maxima.equalities, maxima.variables);
+  qp_.b.setZero(maxima.equalities);
+  qp_.C.setZero(maxima.inequalities, maxima.variables);
+  qp_.lower.setZero(maxima.inequalities);
+  qp_.upper.setZero(maxima.inequalities);
+}
+
+void QpBuilder::Start(Eigen::Index variables) {
+  SIDESTEP_REQUIRE(variables <= qp_.g.size(), variables);
+  variables_ = variables;
+  equalities_ = 0;
+  inequalities_ = 0;
+  qp_.H.topLeftCorner(variables, variables).setZero();
+  qp_.g.head(variables).setZero();
+}
+
+void QpBuilder::AddTask(const Task& task, const Eigen::Vector3d& weight) {
+  const Eigen::Index nv = task.J.cols();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto row = task.J.row(axis);
+    qp_.H.topLeftCorner(nv, nv).noalias() += weight[axis] * row.transpose() * row;
+    qp_.g.head(nv) -= weight[axis] * task.target[axis] * row.transpose();
+  }
+}
+
+void QpBuilder::AddTaskInOneProduct(const Task& task, double weight) {
+  const Eigen::Index nv = task.J.cols();
+  qp_.H.topLeftCorner(nv, nv).noalias() += weight * task.J.transpose() * task.J;
+  qp_.g.head(nv).noalias() -= weight * task.J.transpose() * task.target;
+}
+
+void QpBuilder::AddDiagonal(Eigen::Index variable, double target, double weight) {
+  qp_.H(variable, variable) += weight;
+  qp_.g[variable] -= weight * target;
+}
+
+void QpBuilder::AddExact(const Task& task) {
+  EqualityRows rows = AddEqualities(3);
+  rows.A.leftCols(task.J.cols()) = task.J;
+  rows.b = task.target;
+}
+
+EqualityRows QpBuilder::AddEqualities(Eigen::Index rows) {
+  const Eigen::Index first = equalities_;
+  equalities_ += rows;
+  SIDESTEP_REQUIRE(equalities_ <= qp_.b.size(), equalities_);
+  qp_.A.block(first, 0, rows, variables_).setZero();
+  qp_.b.segment(first, rows).setZero();
+  return {qp_.A.block(first, 0, rows, variables_), qp_.b.segment(first, rows)};
+}
+
+InequalityRows QpBuilder::AddInequalities(Eigen::Index rows) {
+  const Eigen::Index first = inequalities_;
+  inequalities_ += rows;
+  SIDESTEP_REQUIRE(inequalities_ <= qp_.lower.size(), inequalities_);
+  qp_.C.block(first, 0, rows, variables_).setZero();
+  qp_.lower.segment(first, rows).setConstant(-kInfinity);
+  qp_.upper.segment(first, rows).setConstant(kInfinity);
+  return {qp_.C.block(first, 0, rows, variables_), qp_.lower.segment(first, rows),
+          qp_.upper.segment(first, rows)};
+}
+
+void QpBuilder::DropEqualities(Eigen::Index rows) {
+  SIDESTEP_REQUIRE(rows <= equalities_, rows);
+  equalities_ -= rows;
+}
+
+DenseQpView QpBuilder::View() const {
+  return {qp_.H.topLeftCorner(variables_, variables_),
+          qp_.g.head(variables_),
+          qp_.A.topLeftCorner(equalities_, variables_),
+          qp_.b.head(equalities_),
+          qp_.C.topLeftCorner(inequalities_, variables_),
+          qp_.lower.head(inequalities_),
+          qp_.upper.head(inequalities_)};
+}
+
+}  // namespace sidestep::wbc

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/wbc/tasks.h"
+
+namespace sidestep::wbc {
+
+Task ComVelocity(const RigidBody& body, const Eigen::Vector3d& v_WC) {
+  return {body.com_jacobian(), v_WC};
+}
+
+Task ComAcceleration(const RigidBody& body, const Eigen::Vector3d& a_WC) {
+  return {body.com_jacobian(), a_WC - body.com_bias_mps2()};
+}
+
+Task AngularMomentum(const RigidBody& body, const Eigen::Vector3d& h_C_W) {
+  return {body.angular_momentum_jacobian(), h_C_W};
+}
+
+Task AngularMomentumRate(const RigidBody& body, const Eigen::Vector3d& moment_C_W) {
+  return {body.angular_momentum_jacobian(), moment_C_W - body.angular_momentum_bias_Nm()};
+}
+
+FootTask FootVelocity(const RigidBody& body, std::size_t foot, const Eigen::Vector3d& v_WF,
+                      const Eigen::Vector3d& w_WF) {
+  const FrameJacobian& jacobian = body.foot_jacobian(foot);
+  return {{jacobian.J, v_WF}, {jacobian.J_rot, w_WF}};
+}
+
+Task FootLinearAcceleration(const RigidBody& body, std::size_t foot, const Eigen::Vector3d& a_WF) {
+  return {body.foot_jacobian(foot).J, a_WF - body.foot_bias(foot).linear_mps2};
+}
+
+FootTask FootAcceleration(const RigidBody& body, std::size_t foot, const Eigen::Vector3d& a_WF,
+                          const Eigen::Vector3d& wdot_WF) {
+  return {FootLinearAcceleration(body, foot, a_WF),
+          {body.foot_jacobian(foot).J_rot, wdot_WF - body.foot_bias(foot).angular_radps2}};
+}
+
+Task TrunkVelocity(const RigidBody& body, const Eigen::Vector3d& w_WT) {
+  return {body.torso_jacobian(), w_WT};
+}
+
+Task TrunkAcceleration(const RigidBody& body, const Eigen::Vector3d& wdot_WT) {
+  return {body.torso_jacobian(), wdot_WT - body.torso_bias_radps2()};
+}
+
+Eigen::Vector3d TrackedAcceleration(const PointTarget& target, const Eigen::Vector3d& p_now,
+                                    const Eigen::Vector3d& v_now, double stiffness_per_s2,
+                                    double damping_per_s) {
+  return target.a + stiffness_per_s2 * (target.p - p_now) + damping_per_s * (target.v - v_now);
+}
+
+}  // namespace sidestep::wbc
