@@ -2,16 +2,14 @@
 #include "sim/check/outcome.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <exception>
-#include <nlohmann/json.hpp>
 
-#include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 
 namespace sidestep {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kErrorBytes = 2000;  ///< How much of a stderr is kept.
 constexpr int kSignalBase = 128;           ///< ProcessResult's exit code of a signal: 128 + n.
@@ -22,33 +20,35 @@ std::string Number(double value) {
   return text;
 }
 
-std::string Value(const Json& value) {
-  return value.is_number() ? Number(value.get<double>()) : value.dump();
-}
+std::string Value(double value) { return std::isfinite(value) ? Number(value) : "null"; }
+
+std::string Value(bool value) { return value ? "true" : "false"; }
 
 // "FALL at 1.204 s: base too low".
-std::string ReasonText(const Json& reason) {
-  std::string text = reason.value("class", "ERROR");
-  if (reason.contains("time_s") && reason["time_s"].is_number()) {
+std::string ReasonText(const ReasonSummary& reason) {
+  std::string text = reason.kind;
+  if (reason.time_s) {
     char time[32];
-    std::snprintf(time, sizeof time, " at %.3f s", reason["time_s"].get<double>());
+    std::snprintf(time, sizeof time, " at %.3f s", *reason.time_s);
     text += time;
   }
-  const std::string what = reason.value("text", "");
-  return what.empty() ? text : text + ": " + what;
+  return reason.text.empty() ? text : text + ": " + reason.text;
 }
 
 // "mean_step_adjustment_m = 0.043 (min 0.01, max 0.1)", with "missed" when it does not hold.
-std::string MeasuredText(const Json& expectation) {
+std::string MeasuredText(const ExpectationSummary& expectation) {
   std::string bounds;
-  for (const char* key : {"min", "max", "is"}) {
-    if (!expectation.contains(key) || expectation[key].is_null()) continue;
-    bounds += (bounds.empty() ? "" : ", ") + std::string(key) + " " + Value(expectation[key]);
-  }
-  std::string text = expectation.value("metric", "?") + " = ";
-  text += expectation.contains("measured") ? Value(expectation["measured"]) : "?";
+  const auto add_bound = [&](const char* name, const auto& bound) {
+    if (!bound) return;
+    bounds += (bounds.empty() ? "" : ", ") + std::string(name) + " " + Value(*bound);
+  };
+  add_bound("min", expectation.min);
+  add_bound("max", expectation.max);
+  add_bound("is", expectation.is);
+  std::string text = expectation.metric + " = ";
+  text += std::visit([](auto value) { return Value(value); }, expectation.measured);
   if (!bounds.empty()) text += " (" + bounds + ")";
-  if (!expectation.value("pass", true)) text += " missed";
+  if (!expectation.pass) text += " missed";
   return text;
 }
 
@@ -72,22 +72,28 @@ std::string Ending(int exit_code) {
          (name == nullptr ? "" : " (" + std::string(name) + ")");
 }
 
-RunClass ClassOf(const std::string& verdict) {
-  if (verdict == "PASS") return RunClass::kPass;
-  if (verdict == "FAIL") return RunClass::kFail;
+RunClass ClassOf(VerdictClass verdict) {
+  switch (verdict) {
+    case VerdictClass::kPass:
+      return RunClass::kPass;
+    case VerdictClass::kFail:
+      return RunClass::kFail;
+    case VerdictClass::kInvalid:
+      break;
+  }
   return RunClass::kInvalid;
 }
 
-void ReadInto(const Json& summary, Outcome* outcome) {
-  outcome->run_class = ClassOf(summary.at("verdict").get<std::string>());
-  for (const Json& reason : summary.at("reasons")) {
+void ReadInto(const RunSummary& summary, Outcome* outcome) {
+  outcome->run_class = ClassOf(summary.verdict);
+  for (const ReasonSummary& reason : summary.reasons) {
     outcome->reasons.push_back(ReasonText(reason));
   }
-  for (const Json& expectation : summary.at("expectations")) {
+  for (const ExpectationSummary& expectation : summary.expectations) {
     outcome->measured.push_back(MeasuredText(expectation));
   }
-  const Json factor = summary.value("real_time_factor", Json());
-  outcome->real_time_factor = factor.is_number() ? factor.get<double>() : 0.0;
+  const double factor = summary.real_time_factor;
+  outcome->real_time_factor = std::isfinite(factor) ? factor : 0.0;
 }
 
 }  // namespace

@@ -6,21 +6,12 @@
 
 #include "models/support/config_error.h"
 #include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 
 namespace sidestep::plot {
 namespace {
 
 constexpr std::size_t kMostRows = 2000;  // two samples a pixel of the widest panel
-
-double NumberOf(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
-}
-
-std::string TextOf(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
 
 // Columns that the scripts draw. Reading checks that each is there.
 std::vector<std::string> PlottedColumns(const std::vector<std::string>& feet) {
@@ -73,21 +64,15 @@ std::string Thinned(const CsvTable& trajectory, const std::vector<std::string>& 
 }
 
 void ReadSummaryInto(const std::filesystem::path& run_dir, PlotData* data) {
-  const nlohmann::json summary = ReadSummary(run_dir);
-  data->title = TextOf(summary, "name") + " (" + TextOf(summary, "verdict") + ")";
-  const auto pushes = summary.find("pushes");
-  if (pushes != summary.end() && pushes->is_array()) {
-    for (const nlohmann::json& push : *pushes) {
-      const double start_s = NumberOf(push, "start_s");
-      data->pushes.push_back({start_s, start_s + NumberOf(push, "duration_s")});
-    }
+  const RunSummary summary = ReadSummary(run_dir);
+  data->title = summary.name + " (" + std::string(EnumName(summary.verdict)) + ")";
+  for (const PushSummary& push : summary.pushes) {
+    data->pushes.push_back({push.start_s, push.start_s + push.duration_s});
   }
-  const auto times = summary.find("solve_time_ms");
-  if (times != summary.end() && times->is_object()) {
-    data->deadline_ms = NumberOf(*times, "deadline");
-    data->p50_ms = NumberOf(*times, "p50");
-    data->p99_ms = NumberOf(*times, "p99");
-  }
+  const auto drawn = [](double ms) { return std::isfinite(ms) ? ms : 0.0; };
+  data->deadline_ms = drawn(summary.solve_time.deadline_ms);
+  data->p50_ms = drawn(summary.solve_time.p50_ms);
+  data->p99_ms = drawn(summary.solve_time.p99_ms);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 
 #include "models/support/config_error.h"
 #include "sim/record/footsteps_csv.h"
+#include "sim/record/make_summary.h"
 #include "sim/record/output_file.h"
 #include "sim/record/states_row.h"
-#include "sim/record/summary.h"
 #include "sim/record/trajectory_table.h"
 #include "sim/scenario/write_scenario.h"
 
@@ -114,7 +114,8 @@ void Recorder::Finish(const RunOutcome& outcome, double simulated_s, double wall
                  FootstepsCsv(outcome.footsteps, state.feet, state.scenario.world.step_s));
   state.facts.simulated_s = simulated_s;
   state.facts.wall_s = wall_s;
-  WriteWholeFile(state.run_dir / "summary.json", SummaryJson(state.scenario, outcome, state.facts));
+  WriteWholeFile(state.run_dir / "summary.json",
+                 SummaryJson(MakeSummary(state.scenario, outcome, state.facts)));
 }
 
 }  // namespace sidestep

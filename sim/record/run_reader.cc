@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "models/support/config_error.h"
@@ -127,14 +128,6 @@ std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir) {
     step.yaw_rad = yaw_rad[i];
   }
   return steps;
-}
-
-nlohmann::json ReadSummary(const std::filesystem::path& run_dir) {
-  const std::filesystem::path file = run_dir / "summary.json";
-  const std::string text = ReadWholeFile(file);
-  nlohmann::json summary = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (!summary.is_object()) Fail(file, "is not a JSON object");
-  return summary;
 }
 
 std::string ReadWholeFile(const std::filesystem::path& file) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// run_reader: reads back what a run left in its folder.
+// run_reader: reads back what a run left in its folder, but for its summary (run_summary.h).
 //
 // For the tools that show or check a run afterwards (render, plot, report). A run that was cut
 // short is still evidence: a truncated last row is dropped. A file that is missing or is not what
@@ -9,7 +9,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,9 +96,6 @@ StateLog ReadStates(const std::filesystem::path& run_dir);
 
 /// Reads `run_dir/footsteps.csv`, in order of start. @throws ConfigError as CsvTable::Read.
 std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir);
-
-/// Reads `run_dir/summary.json`. @throws ConfigError if it is missing or is not a JSON object.
-nlohmann::json ReadSummary(const std::filesystem::path& run_dir);
 
 /// A whole file as text. @throws ConfigError naming it if it can't be read.
 std::string ReadWholeFile(const std::filesystem::path& file);

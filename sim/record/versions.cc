@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/mjcf/mjcf.h"
-#include "sim/record/summary.h"
+#include "sim/record/make_summary.h"
 
 namespace sidestep {
 namespace {

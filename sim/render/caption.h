@@ -3,11 +3,11 @@
 // caption: the words in a frame.
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 
 namespace sidestep::render {
 
@@ -23,9 +23,7 @@ struct Caption {
 
 /// The captions at row.time_s: the scenario's name and the time, what pushes where, the verdict.
 /// In the last second before `end_s` the verdict is big and gives its reasons.
-///
-/// @param summary  A run's summary.json; absent keys are left out.
-std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const nlohmann::json& summary);
+std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const RunSummary& summary);
 
 /// `text` with every byte that is no printable ASCII replaced by '?', cut to `max_length`.
 std::string Printable(const std::string& text, std::size_t max_length);

@@ -6,11 +6,11 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "models/robot_description/robot_description.h"
 #include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 #include "sim/render/decoration.h"
 #include "sim/render/foothold_marks.h"
 
@@ -19,7 +19,7 @@ namespace sidestep::render {
 struct Recording {
   StateLog log;
   std::vector<Footstep> footsteps;
-  nlohmann::json summary;
+  RunSummary summary;
   std::vector<Sole> soles;
   std::vector<Eigen::Vector3d> p_WC;  ///< CoM of every row (m), by the model's kinematics.
   DrawScale scale;

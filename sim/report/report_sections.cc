@@ -2,6 +2,7 @@
 #include "sim/report/report_sections.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/report/html.h"
 #include "sim/report/inline_svg.h"
@@ -11,42 +12,35 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string Show(const nlohmann::json& value) { return Escaped(Readable(value)); }
-
-std::string Badge(const std::string& verdict) {
-  const bool is_known = verdict == "PASS" || verdict == "FAIL";
-  return "<span class=\"badge " + std::string(is_known ? verdict : "INVALID") + "\">" +
-         Escaped(verdict) + "</span>";
+std::string Badge(VerdictClass verdict) {
+  const std::string name(EnumName(verdict));
+  return "<span class=\"badge " + name + "\">" + name + "</span>";
 }
 
-std::string ReasonText(const nlohmann::json& reason) {
-  std::string text = "<b>" + Show(Get(reason, "class")) + "</b> " + Show(Get(reason, "text"));
-  const nlohmann::json time_s = Get(reason, "time_s");
-  if (time_s.is_number()) text += " at " + Show(time_s) + " s";
+std::string ReasonText(const ReasonSummary& reason) {
+  std::string text = "<b>" + Escaped(reason.kind) + "</b> " + Escaped(reason.text);
+  if (reason.time_s) text += " at " + Readable(*reason.time_s) + " s";
   return text;
 }
 
 // What was asked of a metric: "no", "0.01 to 0.1", "at most 0.1".
-std::string Asked(const nlohmann::json& expectation) {
-  const nlohmann::json is = Get(expectation, "is");
-  const nlohmann::json min = Get(expectation, "min");
-  const nlohmann::json max = Get(expectation, "max");
-  if (!is.is_null()) return Show(is);
-  if (min.is_null() && max.is_null()) return "–";
-  if (max.is_null()) return "at least " + Show(min);
-  if (min.is_null()) return "at most " + Show(max);
-  return min == max ? Show(min) : Show(min) + " to " + Show(max);
+std::string Asked(const ExpectationSummary& expectation) {
+  const std::optional<double>& min = expectation.min;
+  const std::optional<double>& max = expectation.max;
+  if (expectation.is) return Readable(*expectation.is);
+  if (!min && !max) return "–";
+  if (!max) return "at least " + Readable(*min);
+  if (!min) return "at most " + Readable(*max);
+  return *min == *max ? Readable(*min) : Readable(*min) + " to " + Readable(*max);
 }
 
 std::string Expectations(const RunEvidence& run) {
   Rows rows;
-  for (const nlohmann::json& expectation : GetList(run.summary, "expectations")) {
-    const nlohmann::json pass = Get(expectation, "pass");
-    const bool is_met = pass.is_boolean() && pass.get<bool>();
-    rows.push_back(
-        {"<code>" + Show(Get(expectation, "metric")) + "</code>", Asked(expectation),
-         Show(Get(expectation, "measured")),
-         is_met ? "<span class=\"met\">met</span>" : "<span class=\"missed\">missed</span>"});
+  for (const ExpectationSummary& expectation : run.summary.expectations) {
+    rows.push_back({"<code>" + Escaped(expectation.metric) + "</code>", Asked(expectation),
+                    Readable(expectation.measured),
+                    expectation.pass ? "<span class=\"met\">met</span>"
+                                     : "<span class=\"missed\">missed</span>"});
   }
   if (rows.empty()) return "<p>The scenario states no expectation.</p>\n";
   return Table({"metric", "expected", "measured", ""}, rows);
@@ -54,35 +48,29 @@ std::string Expectations(const RunEvidence& run) {
 
 std::string Pushes(const RunEvidence& run) {
   Rows rows;
-  for (const nlohmann::json& push : GetList(run.summary, "pushes")) {
-    rows.push_back({Show(Get(push, "body")), Show(Get(push, "start_s")),
-                    Show(Get(push, "duration_s")), Show(Get(push, "impulse_Ns")),
-                    Show(Get(push, "impulse_per_mass_mps"))});
+  for (const PushSummary& push : run.summary.pushes) {
+    rows.push_back({Escaped(push.body), Readable(push.start_s), Readable(push.duration_s),
+                    Readable(push.impulse_Ns), Readable(push.impulse_per_mass_mps)});
   }
   if (rows.empty()) return "<p>No push.</p>\n";
   return Table({"body", "start (s)", "duration (s)", "impulse J (N·s)", "J/m (m/s)"}, rows);
 }
 
 std::string SolveTimes(const RunEvidence& run) {
-  const nlohmann::json times = Get(run.summary, "solve_time_ms");
-  if (!times.is_object()) return "<p>No solve was timed.</p>\n";
-  Rows rows;
-  for (const char* key : {"p50", "p99", "max", "deadline"}) {
-    rows.push_back({std::string(key) + " (ms)", Show(Get(times, key))});
-  }
-  rows.push_back({"solves", Show(Get(times, "count"))});
-  rows.push_back({"deadline misses", Show(Get(times, "misses"))});
-  rows.push_back({"real-time factor of the run", Show(Get(run.summary, "real_time_factor"))});
-  return Table({}, rows);
+  const StageTimes& times = run.summary.solve_time;
+  return Table({}, {{"p50 (ms)", Readable(times.p50_ms)},
+                    {"p99 (ms)", Readable(times.p99_ms)},
+                    {"max (ms)", Readable(times.max_ms)},
+                    {"deadline (ms)", Readable(times.deadline_ms)},
+                    {"solves", std::to_string(times.count)},
+                    {"deadline misses", std::to_string(times.misses)},
+                    {"real-time factor of the run", Readable(run.summary.real_time_factor)}});
 }
 
 std::string Metrics(const RunEvidence& run) {
-  const nlohmann::json metrics = Get(run.summary, "metrics");
   Rows rows;
-  if (metrics.is_object()) {
-    for (const auto& [name, value] : metrics.items()) {
-      rows.push_back({"<code>" + Escaped(name) + "</code>", Show(value)});
-    }
+  for (const auto& [name, value] : run.summary.metrics) {
+    rows.push_back({"<code>" + Escaped(name) + "</code>", Readable(value)});
   }
   return rows.empty() ? "<p>None.</p>\n" : Table({}, rows);
 }
@@ -92,19 +80,16 @@ std::string Settings(const RunEvidence& run) {
   for (const auto& [key, value] : run.settings) {
     rows.push_back({"<code>" + Escaped(key) + "</code>", Escaped(value)});
   }
-  const nlohmann::json versions = Get(run.summary, "versions");
-  if (versions.is_object()) {
-    for (const auto& [name, value] : versions.items()) {
-      rows.push_back({Escaped(name), Show(value)});
-    }
+  for (const auto& [name, version] : run.summary.versions) {
+    rows.push_back({Escaped(name), Escaped(version)});
   }
   return Table({}, rows);
 }
 
 std::string Command(const RunEvidence& run) {
   std::string command;
-  for (const nlohmann::json& argument : GetList(run.summary, "command")) {
-    command += (command.empty() ? "" : " ") + Show(argument);
+  for (const std::string& argument : run.summary.command) {
+    command += (command.empty() ? "" : " ") + Escaped(argument);
   }
   return command.empty() ? "" : "<p class=\"command\"><code>" + command + "</code></p>\n";
 }
@@ -127,11 +112,15 @@ std::string Card(const std::string& title, const std::string& content) {
 
 double LargestPush(const RunEvidence& run) {
   double largest = 0.0;
-  for (const nlohmann::json& push : GetList(run.summary, "pushes")) {
-    const nlohmann::json value = Get(push, "impulse_per_mass_mps");
-    if (value.is_number()) largest = std::max(largest, value.get<double>());
+  for (const PushSummary& push : run.summary.pushes) {
+    largest = std::fmax(largest, push.impulse_per_mass_mps);  // passes over a NaN
   }
   return largest;
+}
+
+std::string MetricOf(const RunEvidence& run, const std::string& name) {
+  const auto found = run.summary.metrics.find(name);
+  return Readable(found == run.summary.metrics.end() ? MetricValue(kNotTold) : found->second);
 }
 
 }  // namespace
@@ -141,18 +130,19 @@ std::string ComparisonSection(const std::vector<RunEvidence>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunEvidence& run = runs[i];
     std::string reasons;
-    for (const nlohmann::json& reason : GetList(run.summary, "reasons")) {
+    for (const ReasonSummary& reason : run.summary.reasons) {
       reasons += (reasons.empty() ? "" : "<br>") + ReasonText(reason);
     }
-    const nlohmann::json times = Get(run.summary, "solve_time_ms");
-    const nlohmann::json metrics = Get(run.summary, "metrics");
-    rows.push_back({"<a href=\"#run" + std::to_string(i) + "\">" + Escaped(run.name) + "</a>",
-                    Badge(run.verdict), Show(LargestPush(run)),
-                    Show(Get(metrics, "mean_step_adjustment_m")), Show(Get(times, "p50")),
-                    Show(Get(times, "p99")), Show(Get(times, "max")), reasons});
+    const StageTimes& times = run.summary.solve_time;
+    rows.push_back(
+        {"<a href=\"#run" + std::to_string(i) + "\">" + Escaped(run.summary.name) + "</a>",
+         Badge(run.summary.verdict), Readable(LargestPush(run)),
+         MetricOf(run, "mean_step_adjustment_m"), Readable(times.p50_ms), Readable(times.p99_ms),
+         Readable(times.max_ms), reasons});
   }
-  const auto passed = std::count_if(runs.begin(), runs.end(),
-                                    [](const RunEvidence& run) { return run.verdict == "PASS"; });
+  const auto passed = std::count_if(runs.begin(), runs.end(), [](const RunEvidence& run) {
+    return run.summary.verdict == VerdictClass::kPass;
+  });
   return "<header><h1>" + std::to_string(runs.size()) + " runs, " + std::to_string(passed) +
          " passed</h1></header>\n" +
          Table({"scenario", "verdict", "largest J/m (m/s)", "mean step adjustment (m)",
@@ -162,13 +152,14 @@ std::string ComparisonSection(const std::vector<RunEvidence>& runs) {
 
 std::string RunSection(const RunEvidence& run, std::size_t index) {
   const std::string anchor = "run" + std::to_string(index);
-  std::string html = "<article id=\"" + anchor + "\">\n<header><h2>" + Escaped(run.name) + " " +
-                     Badge(run.verdict) + "</h2>\n";
+  std::string html = "<article id=\"" + anchor + "\">\n<header><h2>" + Escaped(run.summary.name) +
+                     " " + Badge(run.summary.verdict) + "</h2>\n";
   if (!run.description.empty()) html += "<p>" + Escaped(run.description) + "</p>\n";
-  const nlohmann::json reasons = GetList(run.summary, "reasons");
-  if (!reasons.empty()) {
+  if (!run.summary.reasons.empty()) {
     html += "<ul class=\"reasons\">";
-    for (const nlohmann::json& reason : reasons) html += "<li>" + ReasonText(reason) + "</li>";
+    for (const ReasonSummary& reason : run.summary.reasons) {
+      html += "<li>" + ReasonText(reason) + "</li>";
+    }
     html += "</ul>\n";
   }
   html += "</header>\n";

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -60,10 +61,6 @@ RunEvidence LoadEvidence(const std::filesystem::path& run_dir) {
   RunEvidence run;
   run.dir = run_dir;
   run.summary = ReadSummary(run_dir);
-  const nlohmann::json name = Get(run.summary, "name");
-  const nlohmann::json verdict = Get(run.summary, "verdict");
-  run.name = name.is_string() ? name.get<std::string>() : run_dir.filename().string();
-  run.verdict = verdict.is_string() ? verdict.get<std::string>() : "INVALID";
   run.scenario_yaml = ReadWholeFile(run_dir / "scenario.yaml");
   ReadSettings(run_dir / "scenario.yaml", &run);
   if (std::filesystem::exists(run_dir / "video.mp4")) {
@@ -76,22 +73,17 @@ RunEvidence LoadEvidence(const std::filesystem::path& run_dir) {
   return run;
 }
 
-std::string Readable(const nlohmann::json& value) {
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_number()) return value.is_null() ? "–" : value.dump();
+std::string Readable(double value) {
+  if (!std::isfinite(value)) return "–";
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value.get<double>());
+  std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-nlohmann::json Get(const nlohmann::json& object, const std::string& key) {
-  return object.is_object() && object.contains(key) ? object.at(key) : nlohmann::json();
-}
+std::string Readable(bool value) { return value ? "yes" : "no"; }
 
-nlohmann::json GetList(const nlohmann::json& object, const std::string& key) {
-  nlohmann::json list = Get(object, key);
-  return list.is_array() ? list : nlohmann::json::array();
+std::string Readable(const MetricValue& value) {
+  return std::visit([](auto held) { return Readable(held); }, value);
 }
 
 }  // namespace sidestep::report

@@ -3,19 +3,18 @@
 // run_evidence: what a report shows of one run, as plain data.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "sim/record/run_summary.h"
 
 namespace sidestep::report {
 
 struct RunEvidence {
   std::filesystem::path dir;
-  std::string name;
-  std::string verdict;
-  std::string description;
-  nlohmann::json summary;
+  std::string description;  ///< The scenario's.
+  RunSummary summary;
   std::string scenario_yaml;
   std::vector<std::pair<std::string, std::string>> settings;  ///< Dotted key, value as written.
   std::string video;                                          ///< Bytes of video.mp4; may be empty.
@@ -25,13 +24,10 @@ struct RunEvidence {
 /// Reads a run's folder. @throws ConfigError if summary.json or scenario.yaml can't be read.
 RunEvidence LoadEvidence(const std::filesystem::path& run_dir);
 
-/// A JSON value for people: 6 significant digits, yes or no, a dash for null or absent.
-std::string Readable(const nlohmann::json& value);
-
-/// object[key], or null if it is absent or `object` is no object.
-nlohmann::json Get(const nlohmann::json& object, const std::string& key);
-
-/// As Get, but an empty list if it is no list.
-nlohmann::json GetList(const nlohmann::json& object, const std::string& key);
+/// A value for people: 6 significant digits, a dash for what was not measured.
+std::string Readable(double value);
+/// "yes" or "no".
+std::string Readable(bool value);
+std::string Readable(const MetricValue& value);
 
 }  // namespace sidestep::report

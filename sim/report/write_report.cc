@@ -14,7 +14,8 @@ namespace sidestep {
 namespace {
 
 std::string PageTitle(const std::vector<report::RunEvidence>& runs) {
-  if (runs.size() == 1) return runs.front().name + ": " + runs.front().verdict;
+  const RunSummary& first = runs.front().summary;
+  if (runs.size() == 1) return first.name + ": " + std::string(EnumName(first.verdict));
   return std::to_string(runs.size()) + " runs";
 }
 

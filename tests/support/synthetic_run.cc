@@ -11,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include "sim/record/run_summary.h"
 #include "tests/support/toy_motion.h"
 #include "tests/support/toy_robot.h"
 
@@ -135,51 +136,31 @@ void WriteMpc(const std::filesystem::path& dir, const SyntheticRun& run) {
   }
 }
 
-nlohmann::json SummaryOf(const SyntheticRun& run) {
-  const bool is_fail = run.verdict == "FAIL";
+RunSummary SummaryOf(const SyntheticRun& run) {
+  const bool is_fail = run.verdict == VerdictClass::kFail;
   const double impulse_Ns = run.push_force_N * run.push_duration_s;
-  nlohmann::json summary{
-      {"sidestep", "0.1.0"},
-      {"name", run.name},
-      {"verdict", run.verdict},
-      {"reasons", nlohmann::json::array()},
-      {"expectations",
-       {{{"metric", "fall"},
-         {"min", nullptr},
-         {"max", nullptr},
-         {"is", false},
-         {"measured", is_fail},
-         {"pass", !is_fail}},
-        {{"metric", "mean_step_adjustment_m"},
-         {"min", 0.01},
-         {"max", 0.1},
-         {"is", nullptr},
-         {"measured", 0.0539},
-         {"pass", true}}}},
-      {"metrics", {{"fall", is_fail}, {"mean_step_adjustment_m", 0.0539}, {"max_tilt_rad", 0.08}}},
-      {"pushes",
-       {{{"body", "trunk"},
-         {"start_s", run.push_start_s},
-         {"duration_s", run.push_duration_s},
-         {"impulse_Ns", impulse_Ns},
-         {"impulse_per_mass_mps", impulse_Ns / kToyMass_kg}}}},
-      {"solve_time_ms",
-       {{"p50", 5.4},
-        {"p99", 6.8},
-        {"max", 6.8},
-        {"deadline", 50.0},
-        {"misses", 0},
-        {"count", 10}}},
-      {"versions", {{"mujoco", "2.2.2"}, {"eigen", "3.4.0"}}},
-      {"seed", 1},
-      {"command", {"sidestep", "run", "toy.yaml"}},
-      {"wall_s", 0.8},
-      {"real_time_factor", 0.6}};
-  if (is_fail) {
-    summary["reasons"].push_back({{"class", "FALL"},
-                                  {"text", "base tilted beyond 1 rad"},
-                                  {"time_s", 0.8 * run.duration_s}});
-  }
+  RunSummary summary;
+  summary.program_version = "0.1.0";
+  summary.name = run.name;
+  summary.verdict = run.verdict;
+  if (is_fail) summary.reasons = {{"FALL", "base tilted beyond 1 rad", 0.8 * run.duration_s}};
+  summary.expectations = {{"fall", {}, {}, false, is_fail, !is_fail},
+                          {"mean_step_adjustment_m", 0.01, 0.1, {}, 0.0539, true}};
+  summary.metrics = {{"fall", is_fail}, {"mean_step_adjustment_m", 0.0539}, {"max_tilt_rad", 0.08}};
+  summary.pushes.resize(1);
+  PushSummary& push = summary.pushes.front();
+  push.body = "trunk";
+  push.start_s = run.push_start_s;
+  push.duration_s = run.push_duration_s;
+  push.impulse_Ns = impulse_Ns;
+  push.impulse_per_mass_mps = impulse_Ns / kToyMass_kg;
+  summary.solve_time = {5.4, 5.4, 6.8, 6.8, 50.0, 0, 10};
+  summary.versions = {{"mujoco", "2.2.2"}, {"eigen", "3.4.0"}};
+  summary.seed = 1;
+  summary.command = {"sidestep", "run", "toy.yaml"};
+  summary.simulated_s = run.duration_s;
+  summary.wall_s = 0.8;
+  summary.real_time_factor = 0.6;
   return summary;
 }
 
@@ -191,7 +172,7 @@ void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run
   WriteStates(dir, run, rows);
   WriteFootsteps(dir, run);
   WriteMpc(dir, run);
-  std::ofstream(dir / "summary.json") << SummaryOf(run).dump(2) << "\n";
+  std::ofstream(dir / "summary.json") << SummaryJson(SummaryOf(run));
   std::ofstream(dir / "scenario.yaml")
       << "sidestep: 1\nname: " << run.name << "\ndescription: A toy is pushed to the left.\n"
       << "robot: " << (dir / "robot.yaml").string() << "\nduration_s: " << run.duration_s

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/verdict/verdict.h"
+
 namespace sidestep::testing {
 
 struct SyntheticRun {
   std::string name{"toy_push_left"};
-  std::string verdict{"PASS"};  ///< FAIL comes with a reason FALL at the run's end.
+  VerdictClass verdict{VerdictClass::kPass};  ///< FAIL comes with a reason FALL at the run's end.
   double duration_s{0.5};
   double dt_s{0.01};
   double push_start_s{0.2};

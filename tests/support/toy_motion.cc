@@ -33,7 +33,7 @@ Moment MomentAt(const SyntheticRun& run, double time_s) {
   moment.swing = std::min(1.0, std::max(0.0, (since_s - run.push_duration_s) / kToySwing_s));
   moment.is_swinging = moment.swing > 0.0 && moment.swing < 1.0;
   moment.tilt_rad = 0.5 * drift_m;
-  if (run.verdict == "FAIL") moment.tilt_rad = 1.2 * time_s / run.duration_s;
+  if (run.verdict == VerdictClass::kFail) moment.tilt_rad = 1.2 * time_s / run.duration_s;
   return moment;
 }
 

@@ -9,7 +9,16 @@
 #include <fstream>
 #include <string>
 
+#include "sim/record/run_summary.h"
+
 namespace sidestep {
+
+/// The text of a whole summary of a run that ended with `verdict` and measured nothing.
+inline std::string BareSummary(VerdictClass verdict) {
+  RunSummary summary;
+  summary.verdict = verdict;
+  return SummaryJson(summary);
+}
 
 /// A new empty folder, removed at the end of the test.
 class ScratchFolder {

@@ -10,15 +10,23 @@
 namespace sidestep::outcome_test {
 namespace {
 
-constexpr const char* kPassSummary = R"({"verdict": "PASS", "reasons": [], "real_time_factor": 1.5,
-  "expectations": [{"metric": "fall", "min": null, "max": null, "is": false, "measured": false,
-                    "pass": true},
-                   {"metric": "max_step_adjustment_m", "min": 0.01, "max": null, "is": null,
-                    "measured": 0.04321, "pass": true}]})";
-constexpr const char* kFailSummary = R"({"verdict": "FAIL", "real_time_factor": 2,
-  "reasons": [{"class": "FALL", "text": "base too low", "time_s": 1.2041},
-              {"class": "EXPECTATION", "text": "fall is true", "time_s": null}],
-  "expectations": [{"metric": "fall", "is": false, "measured": true, "pass": false}]})";
+std::string PassSummary() {
+  RunSummary summary;
+  summary.verdict = VerdictClass::kPass;
+  summary.expectations = {{"fall", {}, {}, false, false, true},
+                          {"max_step_adjustment_m", 0.01, {}, {}, 0.04321, true}};
+  summary.real_time_factor = 1.5;
+  return SummaryJson(summary);
+}
+
+std::string FailSummary() {
+  RunSummary summary;
+  summary.verdict = VerdictClass::kFail;
+  summary.reasons = {{"FALL", "base too low", 1.2041}, {"EXPECTATION", "fall is true", {}}};
+  summary.expectations = {{"fall", {}, {}, false, true, false},
+                          {"recovery_time_s", 0.5, 2.0, {}, kNotTold, false}};
+  return SummaryJson(summary);
+}
 
 Outcome Read(const std::string& summary, int exit_code, const std::string& err = "") {
   const ScratchFolder folder;
@@ -27,7 +35,7 @@ Outcome Read(const std::string& summary, int exit_code, const std::string& err =
 }
 
 TEST(ReadOutcomeTest, APassKeepsItsMeasuredValuesAndBounds) {
-  const Outcome outcome = Read(kPassSummary, 0);
+  const Outcome outcome = Read(PassSummary(), 0);
   EXPECT_EQ(outcome.run_class, RunClass::kPass);
   EXPECT_TRUE(outcome.reasons.empty());
   EXPECT_EQ(outcome.measured,
@@ -37,11 +45,14 @@ TEST(ReadOutcomeTest, APassKeepsItsMeasuredValuesAndBounds) {
 }
 
 TEST(ReadOutcomeTest, AFailKeepsItsReasonsWithTheirTimes) {
-  const Outcome outcome = Read(kFailSummary, 1);
+  const Outcome outcome = Read(FailSummary(), 1);
   EXPECT_EQ(outcome.run_class, RunClass::kFail);
   EXPECT_EQ(outcome.reasons, (std::vector<std::string>{"FALL at 1.204 s: base too low",
                                                        "EXPECTATION: fall is true"}));
-  EXPECT_EQ(outcome.measured, std::vector<std::string>{"fall = true (is false) missed"});
+  EXPECT_EQ(outcome.measured,
+            (std::vector<std::string>{"fall = true (is false) missed",
+                                      "recovery_time_s = null (min 0.5, max 2) missed"}));
+  EXPECT_EQ(outcome.real_time_factor, 0.0) << "not told";
 }
 
 TEST(ReadOutcomeTest, ACrashIsInvalidAndQuotesTheLastWords) {
@@ -54,15 +65,25 @@ TEST(ReadOutcomeTest, ACrashIsInvalidAndQuotesTheLastWords) {
 }
 
 TEST(ReadOutcomeTest, ASummaryThatContradictsTheExitCodeIsInvalid) {
-  EXPECT_EQ(Read(kPassSummary, 1).run_class, RunClass::kInvalid);
-  EXPECT_EQ(Read(kPassSummary, 3).run_class, RunClass::kInvalid);
-  EXPECT_EQ(Read(kFailSummary, 0).run_class, RunClass::kInvalid);
+  EXPECT_EQ(Read(PassSummary(), 1).run_class, RunClass::kInvalid);
+  EXPECT_EQ(Read(PassSummary(), 3).run_class, RunClass::kInvalid);
+  EXPECT_EQ(Read(FailSummary(), 0).run_class, RunClass::kInvalid);
 }
 
 TEST(ReadOutcomeTest, ABrokenOrAbsentSummaryIsNeverAPass) {
-  for (const char* summary : {"", "{", "[]", "{}", R"({"verdict": 1})", R"({"verdict": "PASS"})",
-                              R"({"verdict": "OK", "reasons": [], "expectations": []})"}) {
-    EXPECT_EQ(Read(summary, 0).run_class, RunClass::kInvalid) << summary;
+  std::string half = PassSummary();
+  half.resize(half.size() / 2);
+  std::string other_verdict = PassSummary();
+  other_verdict.replace(other_verdict.find("PASS"), 4, "OK");
+  ASSERT_EQ(Read(BareSummary(VerdictClass::kPass), 0).run_class, RunClass::kPass);
+  for (const std::string& summary :
+       {std::string(), std::string("{"), std::string("[]"), std::string("{}"), half, other_verdict,
+        std::string(R"({"verdict": "PASS"})"), std::string(100'000, '[')}) {
+    const Outcome outcome = Read(summary, 0);
+    EXPECT_EQ(outcome.run_class, RunClass::kInvalid) << summary.substr(0, 40);
+    ASSERT_EQ(outcome.reasons.size(), 1U);
+    EXPECT_NE(outcome.reasons[0].find("left no whole summary ("), std::string::npos);
+    EXPECT_NE(outcome.reasons[0].find("summary.json"), std::string::npos) << "it names the file";
   }
 }
 
@@ -78,10 +99,10 @@ TEST(ExitCodeTest, InvalidOutweighsFailAndFailOutweighsPass) {
 }
 
 TEST(OutcomeTableTest, EveryScenarioHasOneAlignedRowAndTheLastLineCounts) {
-  Outcome pass = Read(kPassSummary, 0);
+  Outcome pass = Read(PassSummary(), 0);
   Outcome crash = Read("", 139, "a\nb");
   crash.name = "a_much_longer_name";
-  const std::string table = OutcomeTable({pass, Read(kFailSummary, 1), crash}, 9.04);
+  const std::string table = OutcomeTable({pass, Read(FailSummary(), 1), crash}, 9.04);
   EXPECT_NE(table.find("PASS     push                   3.0  1.50x  fall = false"),
             std::string::npos)
       << table;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 #include "tests/unit/record/record_test_support.h"
 
 namespace sidestep::recorder_test {
@@ -105,9 +106,10 @@ TEST_F(RecorderTest, SolvesHaveARowEachAndOtherTicksHaveNone) {
   EXPECT_EQ(table.Numbers("iterations")[0], 17.0);
   EXPECT_EQ(table.Numbers("kkt_error")[0], 2e-7);
   EXPECT_EQ(table.Numbers("wall_ms")[0], 2.5);
-  EXPECT_EQ(ReadSummary(folder_).at("solve_time_ms").at("count"), 1);
-  EXPECT_EQ(ReadSummary(folder_).at("whole_body_time_ms").at("count"), 2);
-  EXPECT_EQ(ReadSummary(folder_).at("whole_body_time_ms").at("mean"), 0.125);
+  const RunSummary summary = ReadSummary(folder_);
+  EXPECT_EQ(summary.solve_time.count, 1);
+  EXPECT_EQ(summary.whole_body_time.count, 2);
+  EXPECT_EQ(summary.whole_body_time.mean_ms, 0.125);
 }
 
 TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {

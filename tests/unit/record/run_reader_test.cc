@@ -130,17 +130,8 @@ TEST(RunReaderTest, MissingFilesAreNamed) {
   const auto dir = FreshTestDir("nothing");
   for (const auto& [file, read] : std::vector<std::pair<std::string, std::function<void()>>>{
            {"states.bin", [&] { ReadStates(dir); }},
-           {"footsteps.csv", [&] { ReadFootsteps(dir); }},
-           {"summary.json", [&] { ReadSummary(dir); }}}) {
+           {"footsteps.csv", [&] { ReadFootsteps(dir); }}}) {
     EXPECT_EQ(ErrorOf(read), (dir / file).string() + ": error: can't be read");
-  }
-}
-
-TEST(RunReaderTest, ASummaryThatIsNoObjectIsRefused) {
-  const auto dir = FreshTestDir("summary");
-  for (const char* text : {"", "[1]", "{\"name\": "}) {
-    std::ofstream(dir / "summary.json") << text;
-    EXPECT_NE(ErrorOf([&] { ReadSummary(dir); }).find("is not a JSON object"), std::string::npos);
   }
 }
 

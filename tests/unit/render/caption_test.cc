@@ -8,12 +8,16 @@
 namespace sidestep::render::caption_test {
 namespace {
 
-const nlohmann::json& FailedRun() {
-  static const nlohmann::json kSummary = nlohmann::json::parse(R"({
-    "name": "push_left", "verdict": "FAIL",
-    "reasons": [{"class": "FALL", "text": "base below half its height", "time_s": 3.25}],
-    "pushes": [{"body": "r_hand", "start_s": 1.0, "duration_s": 0.5}]})");
-  return kSummary;
+RunSummary FailedRun() {
+  RunSummary summary;
+  summary.name = "push_left";
+  summary.verdict = VerdictClass::kFail;
+  summary.reasons = {{"FALL", "base below half its height", 3.25}};
+  summary.pushes.resize(1);
+  summary.pushes[0].body = "r_hand";
+  summary.pushes[0].start_s = 1.0;
+  summary.pushes[0].duration_s = 0.5;
+  return summary;
 }
 
 StateRow RowAtTime(double time_s, double force_N = 0.0) {
@@ -53,7 +57,7 @@ TEST(CaptionTest, TheLastSecondShowsTheVerdictBigWithItsReason) {
 }
 
 TEST(CaptionTest, ASummaryWithoutAnythingIsNoError) {
-  const auto captions = CaptionsAt(RowAtTime(0.5, 12.0), 4.0, nlohmann::json::object());
+  const auto captions = CaptionsAt(RowAtTime(0.5, 12.0), 4.0, RunSummary());
   EXPECT_TRUE(Says(captions, "PUSH 12 N"));
 }
 

@@ -58,7 +58,7 @@ std::vector<std::string> Attributes(const std::string& page, const std::string& 
 const std::string& PageOfOne() {
   static const std::string kPage = [] {
     const auto dir = FreshTestDir("report_one");
-    WriteSyntheticRun(dir, {.name = "toy <left> & \"right\"", .verdict = "FAIL"});
+    WriteSyntheticRun(dir, {.name = "toy <left> & \"right\"", .verdict = VerdictClass::kFail});
     PlotRun(dir);
     std::ofstream(dir / "video.mp4") << "a film";
     WriteReport({dir}, dir / "report.html");
@@ -129,7 +129,8 @@ TEST(WriteReportTest, TheScenarioAndItsKeySettingsAreShown) {
 TEST(WriteReportTest, SeveralRunsAreComparedFirstThenShownEach) {
   const auto dir = FreshTestDir("report_two");
   WriteSyntheticRun(dir / "a", {.name = "weak", .push_force_N = 40.0});
-  WriteSyntheticRun(dir / "b", {.name = "strong", .verdict = "FAIL", .push_force_N = 200.0});
+  WriteSyntheticRun(dir / "b",
+                    {.name = "strong", .verdict = VerdictClass::kFail, .push_force_N = 200.0});
   WriteReport({dir / "a", dir / "b"}, dir / "report.html");
   const std::string page = TextOf(dir / "report.html");
   EXPECT_TRUE(Has(page, "2 runs, 1 passed"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/record/summary.h"
+#include "sim/record/make_summary.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,14 @@
 
 #include "tests/unit/record/record_test_support.h"
 
-namespace sidestep::summary_test {
+namespace sidestep::make_summary_test {
 namespace {
 
 nlohmann::json Summary(const RunOutcome& outcome, const RunFacts& facts = {}) {
-  return nlohmann::json::parse(SummaryJson(TwoFeetScenario(), outcome, facts));
+  return nlohmann::json::parse(SummaryJson(MakeSummary(TwoFeetScenario(), outcome, facts)));
 }
 
-TEST(SummaryTest, WhatIsNotFiniteIsNull) {
+TEST(MakeSummaryTest, WhatIsNotFiniteIsNull) {
   RunOutcome outcome;
   outcome.metrics = {{"recovery_time_s", std::numeric_limits<double>::infinity()},
                      {"fall_time_s", std::numeric_limits<double>::quiet_NaN()},
@@ -29,7 +29,7 @@ TEST(SummaryTest, WhatIsNotFiniteIsNull) {
   EXPECT_EQ(metrics.at("fall"), false);
 }
 
-TEST(SummaryTest, TellsVerdictReasonsAndExpectations) {
+TEST(MakeSummaryTest, TellsVerdictReasonsAndExpectations) {
   RunOutcome outcome;
   outcome.verdict.verdict_class = VerdictClass::kFail;
   outcome.verdict.reasons = {{reason::kFall, "it fell", 1.5},
@@ -47,7 +47,7 @@ TEST(SummaryTest, TellsVerdictReasonsAndExpectations) {
   EXPECT_EQ(summary.at("expectations")[1].at("measured"), true);
 }
 
-TEST(SummaryTest, PushesTellImpulseAndImpulseOverMass) {
+TEST(MakeSummaryTest, PushesTellImpulseAndImpulseOverMass) {
   const Scenario scenario = TwoFeetScenario();
   RunOutcome outcome;
   outcome.mass_kg = 2.0;
@@ -59,27 +59,27 @@ TEST(SummaryTest, PushesTellImpulseAndImpulseOverMass) {
   EXPECT_EQ(push.at("impulse_per_mass_mps"), 2.5);
 }
 
-TEST(SummaryTest, PercentilesAreSamplesAndMissesExceedTheDeadline) {
+TEST(MakeSummaryTest, PercentilesAreSamplesAndMissesExceedTheDeadline) {
   std::vector<double> solve_ms;
   for (int i = 200; i >= 1; --i) solve_ms.push_back(i);
-  const StageTimes times = Summarise(solve_ms, 150.0);
+  const StageTimes times = StageTimesOf(solve_ms, 150.0);
   EXPECT_DOUBLE_EQ(times.mean_ms, 100.5);
   EXPECT_EQ(times.p50_ms, 100.0);
   EXPECT_EQ(times.p99_ms, 198.0);
   EXPECT_EQ(times.max_ms, 200.0);
   EXPECT_EQ(times.misses, 50);
   EXPECT_EQ(times.count, 200);
-  EXPECT_EQ(Summarise({7.0}, 10.0).p99_ms, 7.0);
+  EXPECT_EQ(StageTimesOf({7.0}, 10.0).p99_ms, 7.0);
 }
 
-TEST(SummaryTest, RunWithoutASolveHasNoTimes) {
+TEST(MakeSummaryTest, RunWithoutASolveHasNoTimes) {
   const nlohmann::json times = Summary({}).at("solve_time_ms");
   EXPECT_TRUE(times.at("p50").is_null());
   EXPECT_EQ(times.at("count"), 0);
   EXPECT_EQ(times.at("deadline"), 100.0) << "10 solves a second by default";
 }
 
-TEST(SummaryTest, WholeBodyTimesStandBesideTheMpcs) {
+TEST(MakeSummaryTest, WholeBodyTimesStandBesideTheMpcs) {
   RunFacts facts;
   facts.solve_ms = {30.0, 50.0};
   facts.whole_body_ms = {1.0, 2.0, 6.0};
@@ -94,7 +94,7 @@ TEST(SummaryTest, WholeBodyTimesStandBesideTheMpcs) {
   EXPECT_EQ(times.at("misses"), 1);
 }
 
-TEST(SummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
+TEST(MakeSummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
   RunOutcome outcome;
   JointInfo knee{"knee"};
   knee.torque_limit_Nm = 40.0;
@@ -106,7 +106,7 @@ TEST(SummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
   EXPECT_EQ(Summary({}).at("joints"), nlohmann::json::object());
 }
 
-TEST(SummaryTest, TellsHowTheRunWasMade) {
+TEST(MakeSummaryTest, TellsHowTheRunWasMade) {
   const nlohmann::json summary = Summary({}, {{"sidestep", "run", "a\xff.yaml"}, {}, {}, 3.0, 1.5});
   EXPECT_EQ(summary.at("command")[1], "run");
   EXPECT_EQ(summary.at("real_time_factor"), 2.0);
@@ -118,4 +118,4 @@ TEST(SummaryTest, TellsHowTheRunWasMade) {
 }
 
 }  // namespace
-}  // namespace sidestep::summary_test
+}  // namespace sidestep::make_summary_test

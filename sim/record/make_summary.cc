@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/record/make_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sidestep {
+namespace {
+
+PushSummary SummaryOf(const PushRecord& record, double mass_kg) {
+  PushSummary push;
+  push.body = record.push.body;
+  push.start_s = record.push.start_s;
+  push.duration_s = record.push.duration_s;
+  push.impulse_Ns = record.impulse_W_Ns.norm();
+  push.impulse_per_mass_mps = push.impulse_Ns / mass_kg;
+  return push;
+}
+
+ExpectationSummary SummaryOf(const ExpectationResult& result) {
+  const Expectation& wanted = result.expectation;
+  return {wanted.metric,
+          wanted.min,
+          wanted.max,
+          wanted.is,
+          result.measured.value_or(MetricValue(kNotTold)),
+          result.pass};
+}
+
+JointSummary SummaryOf(const JointRecord& record) {
+  JointSummary joint{record.joint.name, record.joint.is_slide, record.peak_torque_Nm, {}};
+  if (std::isfinite(record.joint.torque_limit_Nm)) joint.limit_Nm = record.joint.torque_limit_Nm;
+  return joint;
+}
+
+}  // namespace
+
+StageTimes StageTimesOf(std::vector<double> times_ms, double deadline_ms) {
+  StageTimes times;
+  times.deadline_ms = deadline_ms;
+  if (times_ms.empty()) return times;
+  const auto count = static_cast<double>(times_ms.size());
+  std::sort(times_ms.begin(), times_ms.end());
+  const auto percentile = [&](double share) {
+    const double rank = std::ceil(share * count);
+    return times_ms[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+  };
+  times.mean_ms = std::accumulate(times_ms.begin(), times_ms.end(), 0.0) / count;
+  times.p50_ms = percentile(0.5);
+  times.p99_ms = percentile(0.99);
+  times.max_ms = times_ms.back();
+  times.misses = static_cast<int>(
+      std::count_if(times_ms.begin(), times_ms.end(), [&](double ms) { return ms > deadline_ms; }));
+  times.count = static_cast<int>(times_ms.size());
+  return times;
+}
+
+RunSummary MakeSummary(const Scenario& scenario, const RunOutcome& outcome, const RunFacts& facts) {
+  RunSummary summary;
+  summary.versions = Versions();
+  summary.program_version = summary.versions.front().second;
+  summary.name = scenario.name;
+  summary.verdict = outcome.verdict.verdict_class;
+  for (const Reason& reason : outcome.verdict.reasons) {
+    summary.reasons.push_back({reason.kind, reason.text, reason.time_s});
+  }
+  for (const ExpectationResult& result : outcome.verdict.expectations) {
+    summary.expectations.push_back(SummaryOf(result));
+  }
+  summary.metrics = outcome.metrics;
+  for (const PushRecord& record : outcome.pushes) {
+    summary.pushes.push_back(SummaryOf(record, outcome.mass_kg));
+  }
+  for (const JointRecord& record : outcome.joints) summary.joints.push_back(SummaryOf(record));
+  summary.solve_time = StageTimesOf(facts.solve_ms, 1000.0 / scenario.control.mpc.rate_hz);
+  summary.whole_body_time = StageTimesOf(facts.whole_body_ms, 1000.0 / scenario.control.rate_hz);
+  summary.seed = scenario.seed;
+  summary.command = facts.command;
+  summary.simulated_s = facts.simulated_s;
+  summary.wall_s = facts.wall_s;
+  summary.real_time_factor = facts.simulated_s / facts.wall_s;
+  return summary;
+}
+
+}  // namespace sidestep

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// run_summary: what a run amounts to, as plain data, and its file summary.json.
+//
+// Each struct lists its fields once, in the file's order and with the file's keys, in a static
+// VisitFields(self, visit); the writer and the reader both walk that list, so that they can't
+// disagree. A field to add is one member and one line of that list.
+//
+// A number that is not finite is null in the file and NaN when read back. Which kind it was is
+// told by what stands beside it, never by the number: a joint without `limit` has none, a metric of
+// something that never came (`recovery_time_s`) has its truth value or its pushes to say so.
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/verdict/verdict.h"
+
+namespace sidestep {
+
+/// Marks a field that files of older programs lack: if absent, it keeps its default.
+struct AddedLater {};
+inline constexpr AddedLater kAddedLater{};
+
+/// A number that the file does not tell.
+inline constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
+
+/// Why a run is no PASS.
+struct ReasonSummary {
+  std::string kind;  ///< One of namespace reason.
+  std::string text;  ///< One line for a human.
+  std::optional<double> time_s;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("class", self.kind);
+    visit("text", self.text);
+    visit("time_s", self.time_s);
+  }
+};
+
+/// What the scenario asked of a metric, beside what was measured.
+struct ExpectationSummary {
+  std::string metric;
+  std::optional<double> min;
+  std::optional<double> max;
+  std::optional<bool> is;
+  MetricValue measured{kNotTold};  ///< In the metric's unit.
+  bool pass{false};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("metric", self.metric);
+    visit("min", self.min);
+    visit("max", self.max);
+    visit("is", self.is);
+    visit("measured", self.measured);
+    visit("pass", self.pass);
+  }
+};
+
+/// One push as the world applied it.
+struct PushSummary {
+  std::string body;
+  double start_s{kNotTold};
+  double duration_s{kNotTold};
+  double impulse_Ns{kNotTold};            ///< Norm of the integral of the force.
+  double impulse_per_mass_mps{kNotTold};  ///< That over the plant's mass.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("body", self.body);
+    visit("start_s", self.start_s);
+    visit("duration_s", self.duration_s);
+    visit("impulse_Ns", self.impulse_Ns);
+    visit("impulse_per_mass_mps", self.impulse_per_mass_mps);
+  }
+};
+
+/// What a joint's motor was put to. In the file the name is the key, and the keys tell the unit.
+struct JointSummary {
+  std::string name;
+  bool is_slide{false};
+  double peak_Nm{kNotTold};        ///< Largest |torque|; N for a slide.
+  std::optional<double> limit_Nm;  ///< N for a slide; empty if the motor has no limit.
+
+  static constexpr char kSlideKey[] = "peak_force_N";  ///< A joint that has it is a slide.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit(self.is_slide ? kSlideKey : "peak_torque_Nm", self.peak_Nm);
+    visit(self.is_slide ? "limit_N" : "limit_Nm", self.limit_Nm);
+  }
+};
+
+/// Wall-clock figures of a stage's runs (ms). NaN without a run.
+struct StageTimes {
+  double mean_ms{kNotTold};
+  double p50_ms{kNotTold};
+  double p99_ms{kNotTold};
+  double max_ms{kNotTold};
+  double deadline_ms{kNotTold};  ///< The stage's period.
+  int misses{0};                 ///< Runs that took longer than the deadline.
+  int count{0};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("mean", self.mean_ms, kAddedLater);
+    visit("p50", self.p50_ms);
+    visit("p99", self.p99_ms);
+    visit("max", self.max_ms);
+    visit("deadline", self.deadline_ms);
+    visit("misses", self.misses);
+    visit("count", self.count);
+  }
+};
+
+/// All of summary.json.
+struct RunSummary {
+  std::string program_version;
+  std::string name;  ///< The scenario's.
+  VerdictClass verdict{VerdictClass::kInvalid};
+  std::vector<ReasonSummary> reasons;            ///< Empty if and only if PASS.
+  std::vector<ExpectationSummary> expectations;  ///< In the scenario's order.
+  Metrics metrics;                               ///< By name, as sim/verdict/metrics.h lists them.
+  std::vector<PushSummary> pushes;               ///< In the scenario's order.
+  std::vector<JointSummary> joints;              ///< In the order of the actuators.
+  StageTimes solve_time;                         ///< One run a solve of the MPC.
+  StageTimes whole_body_time;                    ///< One run a tick of the whole-body control.
+  std::vector<std::pair<std::string, std::string>> versions;  ///< {program or library, version}.
+  std::uint64_t seed{0};
+  std::vector<std::string> command;  ///< The program's arguments.
+  double simulated_s{kNotTold};
+  double wall_s{kNotTold};
+  double real_time_factor{kNotTold};  ///< Simulated over wall time.
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("sidestep", self.program_version);
+    visit("name", self.name);
+    visit("verdict", self.verdict);
+    visit("reasons", self.reasons);
+    visit("expectations", self.expectations);
+    visit("metrics", self.metrics);
+    visit("pushes", self.pushes);
+    visit("joints", self.joints, kAddedLater);
+    visit("solve_time_ms", self.solve_time);
+    visit("whole_body_time_ms", self.whole_body_time, kAddedLater);
+    visit("versions", self.versions);
+    visit("seed", self.seed);
+    visit("command", self.command);
+    visit("simulated_s", self.simulated_s);
+    visit("wall_s", self.wall_s);
+    visit("real_time_factor", self.real_time_factor);
+  }
+};
+
+/// The text of summary.json: JSON, indented, with a final newline. Bytes that are no UTF-8 (of a
+/// command line) are replaced by U+FFFD.
+std::string SummaryJson(const RunSummary& summary);
+
+/// Reads the text of a summary.json. Keys that this program does not know are passed over.
+///
+/// @param file  Its name, for the errors.
+/// @throws ConfigError of one line that names the file and the place (line and column where the
+///         JSON breaks; else the key, as in `pushes[1].start_s`) if `text` is not JSON, is nested
+///         deeper than a summary is, or lacks a field or has it with another type.
+RunSummary ParseSummary(const std::string& text, const std::filesystem::path& file);
+
+/// Reads `run_dir/summary.json`. @throws ConfigError if it can't be read, and as ParseSummary.
+RunSummary ReadSummary(const std::filesystem::path& run_dir);
+
+}  // namespace sidestep
