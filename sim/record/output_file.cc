@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "models/support/config_error.h"
+#include "models/support/require.h"
 
 namespace sidestep {
 namespace {
@@ -29,6 +30,18 @@ OutputFile::OutputFile(const std::filesystem::path& file)
   if (!out_) Fail(file_);
 }
 
+OutputFile::OutputFile(const std::filesystem::path& file, const OutputFile& start)
+    : file_(file), buffer_(start.buffer_), bytes_on_disk_(start.bytes_on_disk_) {
+  SIDESTEP_REQUIRE(start.out_.is_open(), start.file_);
+  CopyWholeFile(start.file_, file_);  // between two flushes the stream itself holds nothing back
+  std::error_code error;
+  if (std::filesystem::file_size(file_, error) != bytes_on_disk_) {
+    throw ConfigError(start.file_.string() + ": error: was changed while the run wrote it");
+  }
+  out_.open(file_, std::ios::binary | std::ios::app);
+  if (!out_) Fail(file_);
+}
+
 OutputFile::~OutputFile() {
   // Nobody is left to tell about a full disk here; Close() tells.
   out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
@@ -41,9 +54,10 @@ void OutputFile::Append(std::string_view row) {
 
 void OutputFile::Flush() {
   out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-  buffer_.clear();
   out_.flush();
   if (!out_) Fail(file_);
+  bytes_on_disk_ += buffer_.size();
+  buffer_.clear();
 }
 
 void OutputFile::Close() {
@@ -61,6 +75,27 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view text) {
   std::error_code error;
   std::filesystem::rename(part, file, error);
   if (error) Fail(file);
+}
+
+void CopyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) {
+    throw ConfigError(to.string() + ": error: can't be copied from " + from.string() + ": " +
+                      error.message());
+  }
+}
+
+void RequireOtherFolder(const std::filesystem::path& run_dir,
+                        const std::filesystem::path& fork_dir) {
+  std::error_code ignored;  // a folder that is not there yet
+  const auto plain = [&](const std::filesystem::path& folder) {
+    return std::filesystem::weakly_canonical(folder / ".", ignored);
+  };
+  const bool is_same =
+      std::filesystem::equivalent(run_dir, fork_dir, ignored) || plain(run_dir) == plain(fork_dir);
+  if (!is_same) return;
+  throw ConfigError(fork_dir.string() + ": error: a fork can't go into the folder of its own run");
 }
 
 }  // namespace sidestep

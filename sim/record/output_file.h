@@ -2,6 +2,7 @@
 #pragma once
 // output_file: the ways in which a run's files come to disk.
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -18,6 +19,11 @@ class OutputFile {
  public:
   /// Creates or empties the file.
   explicit OutputFile(const std::filesystem::path& file);
+
+  /// Creates or overwrites a file that begins with all rows of `start`, those that are still in
+  /// memory included; both grow on their own from here. Throws also if `start`'s file on disk no
+  /// longer is what was written to it. Precondition: `start` is not closed.
+  OutputFile(const std::filesystem::path& file, const OutputFile& start);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -34,10 +40,19 @@ class OutputFile {
   std::filesystem::path file_;
   std::ofstream out_;
   std::string buffer_;
+  std::uintmax_t bytes_on_disk_{0};
 };
 
 /// Writes a whole file under a temporary name, then renames it: readers see all of it or nothing.
 /// Throws ConfigError if it can't be written.
 void WriteWholeFile(const std::filesystem::path& file, std::string_view text);
+
+/// Copies a file, over an older one. Throws ConfigError naming `to` if it can't be done.
+void CopyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Throws ConfigError if a fork of the run in `run_dir` was to write into that same folder, however
+/// it is spelled.
+void RequireOtherFolder(const std::filesystem::path& run_dir,
+                        const std::filesystem::path& fork_dir);
 
 }  // namespace sidestep

@@ -68,6 +68,19 @@ struct Recorder::State {
     mpc.Append(kMpcHeader);
   }
 
+  // Begins in another folder with all that `start` holds.
+  State(const State& start, const std::filesystem::path& folder)
+      : scenario(start.scenario),
+        run_dir(PrepareFolder(folder)),
+        feet(start.feet),
+        table(start.table),
+        trajectory(run_dir / "trajectory.csv", start.trajectory),
+        states(run_dir / "states.bin", start.states),
+        mpc(run_dir / "mpc.csv", start.mpc),
+        facts(start.facts) {
+    WriteWholeFile(run_dir / "scenario.yaml", ResolvedYaml(scenario));
+  }
+
   Scenario scenario;
   std::filesystem::path run_dir;
   std::vector<std::string> feet;
@@ -83,7 +96,14 @@ Recorder::Recorder(const Scenario& scenario, const World& world,
                    const std::filesystem::path& run_dir, std::vector<std::string> command)
     : state_(std::make_unique<State>(scenario, world, run_dir, std::move(command))) {}
 
+Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
 Recorder::~Recorder() = default;
+
+std::unique_ptr<Recorder> Recorder::ForkTo(const std::filesystem::path& run_dir) const {
+  RequireOtherFolder(state_->run_dir, run_dir);
+  return std::unique_ptr<Recorder>(new Recorder(std::make_unique<State>(*state_, run_dir)));
+}
 
 void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& control,
                    const WallTimes& wall) {

@@ -30,6 +30,13 @@ class Recorder {
            std::vector<std::string> command);
   ~Recorder();
 
+  /// A second recorder that stands where this one does: its folder holds every row that was added
+  /// so far, and both go on, each for itself. A fork that is given the same ticks and outcome as
+  /// this recorder leaves the same files. Creates `run_dir` as the constructor does.
+  /// Precondition: Finish was not called.
+  /// @throws ConfigError if `run_dir` is this recorder's own folder.
+  std::unique_ptr<Recorder> ForkTo(const std::filesystem::path& run_dir) const;
+
   /// Adds the row of a control tick.
   /// @param truth  State at `tick`, before the command acts.
   void Add(Tick tick, const WorldTruth& truth, const ControlTick& control, const WallTimes& wall);
@@ -40,6 +47,8 @@ class Recorder {
 
  private:
   struct State;
+  explicit Recorder(std::unique_ptr<State> state);
+
   std::unique_ptr<State> state_;
 };
 
