@@ -6,8 +6,10 @@
 #include "sim/episode/run_episode.h"
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "controller/locomotion_controller.h"
+#include "controller/mpc/problem/ocp_json.h"
 #include "sim/episode/interrupt.h"
 #include "sim/episode/wall_stage_timer.h"
 #include "sim/sensors/sensor_suite.h"
@@ -25,6 +27,12 @@ LocomotionSetup SetupOf(const Scenario& scenario) {
 double ElapsedMs(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
+}
+
+std::string ProblemJson(const mpc::CentroidalOcp& ocp, const std::string& name) {
+  nlohmann::json problem = mpc::ToJson(ocp);
+  problem["name"] = name;
+  return problem.dump(1) + "\n";
 }
 
 // Why a run that ended early says nothing of the controller, if so.
@@ -57,7 +65,9 @@ double RunEpisode(const Scenario& scenario, World* world, Judge* judge, Recorder
                            timer.Spent_ms(Stage::kWholeBody)};
       recorder->Add(tick, world->truth(), *control, wall);
       if (control->mpc.ran) {
-        dump->Add(SecondsAt(tick, tick_s), controller.last_problem(), control->mpc.fell_back);
+        dump->Add(SecondsAt(tick, tick_s), control->mpc.fell_back, [&](const std::string& name) {
+          return ProblemJson(controller.last_problem(), name);
+        });
       }
       world->Apply(control->command);
     }

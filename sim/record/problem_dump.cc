@@ -3,11 +3,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <system_error>
 
-#include "controller/mpc/problem/ocp_json.h"
-#include "models/support/config_error.h"
+#include "sim/record/output_file.h"
 
 namespace sidestep {
 namespace {
@@ -17,21 +15,32 @@ constexpr int kMaxFailed = 10;
 }  // namespace
 
 ProblemDump::ProblemDump(const std::filesystem::path& run_dir, bool every)
-    : folder_(run_dir / "problems"), every_(every) {}
+    : run_dir_(run_dir), folder_(run_dir / "problems"), every_(every) {}
 
-void ProblemDump::Add(double time_s, const mpc::CentroidalOcp& ocp, bool failed) {
+void ProblemDump::MakeFolder() const {
+  std::error_code ignored;  // the first write tells
+  std::filesystem::create_directories(folder_, ignored);
+}
+
+ProblemDump ProblemDump::ForkTo(const std::filesystem::path& run_dir) const {
+  RequireOtherFolder(run_dir_, run_dir);
+  ProblemDump fork(run_dir, every_);
+  fork.num_failed_ = num_failed_;
+  fork.written_ = written_;
+  if (!written_.empty()) fork.MakeFolder();
+  for (const std::string& name : written_) CopyWholeFile(folder_ / name, fork.folder_ / name);
+  return fork;
+}
+
+void ProblemDump::Add(double time_s, bool failed, const ProblemText& problem_text) {
   if (failed) ++num_failed_;
   if (!every_ && (!failed || num_failed_ > kMaxFailed)) return;
-  std::error_code ignored;  // the write below tells
-  std::filesystem::create_directories(folder_, ignored);
+  MakeFolder();
   char name[32];
-  std::snprintf(name, sizeof name, "mpc_%07lld.json", std::llround(1e3 * time_s));
-  nlohmann::json problem = mpc::ToJson(ocp);
-  problem["name"] = std::filesystem::path(name).stem().string();
-  std::ofstream out(folder_ / name);
-  out << problem.dump(1) << "\n";
-  out.close();
-  if (!out) throw ConfigError((folder_ / name).string() + ": error: can't be written");
+  std::snprintf(name, sizeof name, "mpc_%07lld", std::llround(1e3 * time_s));
+  const std::string file = std::string(name) + ".json";
+  WriteWholeFile(folder_ / file, problem_text(name));
+  written_.push_back(file);
 }
 
 }  // namespace sidestep

@@ -60,9 +60,10 @@ std::vector<Room> SimRooms() {
       {"sim/world", kScenario + Folders{"sim/actuators"}, true},
       {"sim/sensors", kWorld, true},
       {"sim/verdict", kWorld},
-      {"sim/record", kWorld + Folders{"sim/verdict", "controller/mpc/problem"}},
-      {"sim/episode",
-       kWorld + kChain + Folders{"controller", "sim/sensors", "sim/record", "sim/verdict"}},
+      {"sim/record", kWorld + Folders{"sim/verdict"}},
+      {"sim/episode", kWorld + kChain +
+                          Folders{"controller", "controller/mpc/problem", "sim/sensors",
+                                  "sim/record", "sim/verdict"}},
       {"sim/process", kSupport},
       {"sim/render", kTools, true},
       {"sim/plot", kTools},
