@@ -57,50 +57,64 @@ struct EstimatorParams {
   double accelerometer_noise_mps2{0.2};
   double foot_position_noise_m{0.001};
   double foot_velocity_noise_mps{0.05};
-  double foot_slip_noise_mps{0.01};  ///< Random walk of a standing foot.
+  double foot_slip_noise_mps{0.01};
   double contact_threshold_N{0.3};
-  double wrench_cutoff_hz{10.0};   ///< Low-pass of the estimated external wrench.
-  double wrench_deadband_N{15.0};  ///< An estimated force below this is taken for none.
-  double push_cutoff_hz{0.0};      ///< Low-pass of pushes seen in the momentum, by feet with
-                                   ///< force/torque sensors; 0: none.
-  double push_deadband_N{20.0};    ///< A push below this is taken for none.
+  double wrench_cutoff_hz{10.0};
+  double wrench_deadband_N{15.0};
+  double push_cutoff_hz{0.0};
+  double push_deadband_N{20.0};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("accelerometer_noise_mps2", self.accelerometer_noise_mps2, Range{1e-6, 100.0});
-    visit("foot_position_noise_m", self.foot_position_noise_m, Range{1e-6, 1.0});
-    visit("foot_velocity_noise_mps", self.foot_velocity_noise_mps, Range{1e-6, 10.0});
-    visit("foot_slip_noise_mps", self.foot_slip_noise_mps, Range{1e-6, 10.0});
-    visit("contact_threshold_N", self.contact_threshold_N, Range{0.0, 1e4});
-    visit("wrench_cutoff_hz", self.wrench_cutoff_hz, Range{0.1, 1e4});
-    visit("wrench_deadband_N", self.wrench_deadband_N, Range{0.0, 1e3});
-    visit("push_cutoff_hz", self.push_cutoff_hz, Range{0.0, 1e3});
-    visit("push_deadband_N", self.push_deadband_N, Range{0.0, 1e3});
+    visit("accelerometer_noise_mps2", self.accelerometer_noise_mps2, Range{1e-6, 100.0},
+          "assumed standard deviation of the accelerometer's noise");
+    visit("foot_position_noise_m", self.foot_position_noise_m, Range{1e-6, 1.0},
+          "assumed standard deviation of a standing foot's position by kinematics");
+    visit("foot_velocity_noise_mps", self.foot_velocity_noise_mps, Range{1e-6, 10.0},
+          "assumed standard deviation of a standing foot's velocity by kinematics");
+    visit("foot_slip_noise_mps", self.foot_slip_noise_mps, Range{1e-6, 10.0},
+          "assumed random walk of a standing foot");
+    visit("contact_threshold_N", self.contact_threshold_N, Range{0.0, 1e4},
+          "ground force above which a foot counts as in contact");
+    visit("wrench_cutoff_hz", self.wrench_cutoff_hz, Range{0.1, 1e4},
+          "low-pass of the external wrench measured in the arms");
+    visit("wrench_deadband_N", self.wrench_deadband_N, Range{0.0, 1e3},
+          "a measured force below this is taken for none");
+    visit("push_cutoff_hz", self.push_cutoff_hz, Range{0.0, 1e3},
+          "low-pass of pushes felt by the momentum; needs force/torque sensors in the feet (0: not "
+          "felt)");
+    visit("push_deadband_N", self.push_deadband_N, Range{0.0, 1e3},
+          "a push felt by the momentum below this is taken for none");
   }
 };
 
 struct ControlParams {
   ControlMode mode{ControlMode::kTorque};
-  double rate_hz{500.0};  ///< Control ticks a second.
+  double rate_hz{500.0};
   ExternalWrenchKnowledge external_wrench{ExternalWrenchKnowledge::kUnknown};
   EstimatorKind estimator{EstimatorKind::kSensors};
   PlannerParams planner;
   MpcParams mpc;
-  InverseDynamicsParams inverse_dynamics;      ///< Of mode torque.
-  InverseKinematicsParams inverse_kinematics;  ///< Of mode position.
+  InverseDynamicsParams inverse_dynamics;
+  InverseKinematicsParams inverse_kinematics;
   EstimatorParams estimation;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("mode", self.mode);
-    visit("rate_hz", self.rate_hz, Range{1.0, 10000.0});
-    visit("external_wrench", self.external_wrench);
-    visit("estimator", self.estimator);
-    visit("planner", self.planner);
-    visit("mpc", self.mpc);
-    visit("inverse_dynamics", self.inverse_dynamics);
-    visit("inverse_kinematics", self.inverse_kinematics);
-    visit("estimation", self.estimation);
+    visit("mode", self.mode,
+          "torque: inverse dynamics; position: inverse kinematics and the servos of the joints; "
+          "passive: does nothing, the negative control");
+    visit("rate_hz", self.rate_hz, Range{1.0, 10000.0}, "control ticks a second");
+    visit("external_wrench", self.external_wrench,
+          "what the controller knows of a push: unknown: only what it does to the state; "
+          "estimated: what arms and momentum feel; known: all, from the simulation");
+    visit("estimator", self.estimator, "sensors, or truth: the exact state");
+    visit("planner", self.planner, "how the nominal path follows a pushed robot");
+    visit("mpc", self.mpc, "the model predictive control of CoM, footholds and forces");
+    visit("inverse_dynamics", self.inverse_dynamics, "gains and weights of mode torque");
+    visit("inverse_kinematics", self.inverse_kinematics, "gains and weights of mode position");
+    visit("estimation", self.estimation,
+          "noise that the estimator assumes, and what it feels of pushes");
   }
 };
 

@@ -3,9 +3,11 @@
 // field: how a parameter struct tells its fields to readers, writers and documentation.
 //
 // A struct lists its fields once, in a static VisitFields(self, visit), where every line is
-//   visit("key", self.key, Range{min, max})   a double, int or Eigen::Vector3d (each entry)
-//   visit("key", self.key)                    a bool, std::string, enum or nested struct
-// An enum is named by a specialisation of EnumNames. Bounds are inclusive, in SI units.
+//   visit("key", self.key, Range{min, max}, "meaning")  a double, int or Vector3d (each entry)
+//   visit("key", self.key, "meaning")                   anything else
+// An enum is named by a specialisation of EnumNames. Bounds are in SI units, and the key ends in
+// its unit. The meaning is one line; it stands nowhere else: `sidestep keys`, the JSON schema and
+// scenarios/README.md print it.
 
 #include <array>
 #include <string_view>
@@ -13,11 +15,26 @@
 
 namespace sidestep {
 
-/// Inclusive bounds of a number, or of each entry of a vector.
+/// Bounds of a number, or of each entry of a vector; inclusive unless told otherwise.
 struct Range {
   double min;
   double max;
+  bool excludes_min{false};  ///< min itself is out of range.
 };
+
+/// What a key means, in one line of plain English, and whether a file must have it.
+struct Meaning {
+  std::string_view text;
+  bool is_required{false};
+
+  /// A plain text means an optional key, so that tables hold nothing but texts.
+  constexpr Meaning(const char* meaning) : text(meaning) {}  // NOLINT(google-explicit-constructor)
+  constexpr Meaning(std::string_view meaning, bool required)
+      : text(meaning), is_required(required) {}
+};
+
+/// The meaning of a key that has no default.
+constexpr Meaning Required(std::string_view meaning) { return {meaning, true}; }
 
 /// Specialise with `static constexpr std::array<std::pair<Enum, std::string_view>, n> kNames`.
 template <typename Enum>
@@ -30,6 +47,38 @@ constexpr std::string_view EnumName(Enum value) {
     if (candidate == value) return name;
   }
   return "?";
+}
+
+/// The SI unit that a name ends in, as text: `rate_hz` gives "Hz", `step_s` "s", `mpc` "". Names of
+/// keys, metrics and columns share the endings.
+constexpr std::string_view UnitOf(std::string_view name) {
+  // An ending that contains another comes before it.
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kEndings{
+      {{"_Nms_per_rad", "N m s/rad"},
+       {"_Nm_per_rad", "N m/rad"},
+       {"_N_per_m", "N/m"},
+       {"_per_s2", "1/s^2"},
+       {"_per_s", "1/s"},
+       {"_per_N2", "1/N^2"},
+       {"_kgm2ps", "kg m^2/s"},
+       {"_radps", "rad/s"},
+       {"_mps2", "m/s^2"},
+       {"_mps", "m/s"},
+       {"_rad", "rad"},
+       {"_ms", "ms"},
+       {"_Nm", "N m"},
+       {"_Ns", "N s"},
+       {"_kg", "kg"},
+       {"_hz", "Hz"},
+       {"_px", "px"},
+       {"_N", "N"},
+       {"_J", "J"},
+       {"_m", "m"},
+       {"_s", "s"}}};
+  for (const auto& [ending, unit] : kEndings) {
+    if (name.ends_with(ending)) return unit;
+  }
+  return "";
 }
 
 }  // namespace sidestep

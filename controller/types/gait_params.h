@@ -24,30 +24,38 @@ struct EnumNames<GaitType> {
 /// One stretch of the nominal gait, from start_s to the next stretch's start.
 struct GaitParams {
   GaitType type{GaitType::kStand};
-  double start_s{0.0};            ///< The gait changes at the first touch-down from here on.
-  double step_length_m{0.0};      ///< Advance along x from one touch-down to the next.
-  double step_width_m{0.16};      ///< Distance of the feet along y; 0 for one foot.
-  double swing_s{0.6};            ///< walk: a foot's time in the air.
-  double double_support_s{0.2};   ///< walk: both feet on the ground, once a step.
-  double stance_s{0.2};           ///< run, hop: a foot's time on the ground.
-  double flight_s{0.2};           ///< run, hop: no foot on the ground, once a step.
-  double swing_height_m{0.05};    ///< Apex of the sole above the ground.
-  double landing_speed_mps{0.3};  ///< Downward, at touch-down and after it until contact is felt.
-  double step_side_m{0.0};        ///< Advance along y (left) from one touch-down to the next.
+  double start_s{0.0};
+  double step_length_m{0.0};
+  double step_width_m{0.16};
+  double swing_s{0.6};
+  double double_support_s{0.2};
+  double stance_s{0.2};
+  double flight_s{0.2};
+  double swing_height_m{0.05};
+  double landing_speed_mps{0.3};
+  double step_side_m{0.0};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("type", self.type);
-    visit("start_s", self.start_s, Range{0.0, 1e4});
-    visit("step_length_m", self.step_length_m, Range{-1.0, 1.0});
-    visit("step_width_m", self.step_width_m, Range{0.0, 1.0});
-    visit("swing_s", self.swing_s, Range{0.05, 5.0});
-    visit("double_support_s", self.double_support_s, Range{0.0, 5.0});
-    visit("stance_s", self.stance_s, Range{0.02, 5.0});
-    visit("flight_s", self.flight_s, Range{0.0, 2.0});
-    visit("swing_height_m", self.swing_height_m, Range{0.0, 0.5});
-    visit("landing_speed_mps", self.landing_speed_mps, Range{0.0, 2.0});
-    visit("step_side_m", self.step_side_m, Range{-0.5, 0.5});
+    visit("type", self.type, "stand, walk or run (two feet), hop (one foot)");
+    visit("start_s", self.start_s, Range{0.0, 1e4},
+          "this gait begins at the first touch-down from here on; the first gait starts at 0");
+    visit("step_length_m", self.step_length_m, Range{-1.0, 1.0},
+          "advance along x from one touch-down to the next");
+    visit("step_width_m", self.step_width_m, Range{0.0, 1.0},
+          "distance of the feet along y; of a robot of one foot it is 0");
+    visit("swing_s", self.swing_s, Range{0.05, 5.0}, "walk: a foot's time in the air");
+    visit("double_support_s", self.double_support_s, Range{0.0, 5.0},
+          "walk: time with both feet on the ground, once a step");
+    visit("stance_s", self.stance_s, Range{0.02, 5.0}, "run, hop: a foot's time on the ground");
+    visit("flight_s", self.flight_s, Range{0.0, 2.0},
+          "run, hop: time with no foot on the ground, once a step");
+    visit("swing_height_m", self.swing_height_m, Range{0.0, 0.5},
+          "greatest height of a swinging sole above the ground");
+    visit("landing_speed_mps", self.landing_speed_mps, Range{0.0, 2.0},
+          "downward speed of a foot at touch-down, and after it until contact is felt");
+    visit("step_side_m", self.step_side_m, Range{-0.5, 0.5},
+          "advance along y (to the left) from one touch-down to the next");
   }
 };
 
@@ -66,37 +74,44 @@ struct EnumNames<FollowMode> {
 /// Steps that the gait does not have, taken when the feet can no longer hold the robot.
 struct RecoveryParams {
   bool enabled{false};
-  double margin_m{0.02};  ///< How near the capture point may come to the edge of the soles.
+  double margin_m{0.02};
   double swing_s{0.4};
   double double_support_s{0.1};
-  int steps{3};  ///< Before the gait goes on.
+  int steps{3};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("enabled", self.enabled);
-    visit("margin_m", self.margin_m, Range{-0.5, 0.5});
-    visit("swing_s", self.swing_s, Range{0.05, 5.0});
-    visit("double_support_s", self.double_support_s, Range{0.0, 5.0});
-    visit("steps", self.steps, Range{1.0, 20.0});
+    visit("enabled", self.enabled,
+          "whether a standing robot steps when its feet can no longer hold it");
+    visit("margin_m", self.margin_m, Range{-0.5, 0.5},
+          "how near the capture point may come to the edge of the soles before it steps");
+    visit("swing_s", self.swing_s, Range{0.05, 5.0}, "a recovery step's time in the air");
+    visit("double_support_s", self.double_support_s, Range{0.0, 5.0},
+          "time with both feet on the ground between recovery steps");
+    visit("steps", self.steps, Range{1.0, 20.0}, "recovery steps before the gait goes on");
   }
 };
 
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
-  double path_return_m{0.05};    ///< Largest drift back to the path in one step, once off it.
-  double min_step_width_m{0.0};  ///< Of two feet: what no step adjustment may go below.
-  /// CoM reference in the middle of a walk's swing: this share of the way from the path to the foot
-  /// that stands. 0 as in the paper, whose reference stays on the path.
+  double path_return_m{0.05};
+  double min_step_width_m{0.0};
   double com_sway{0.0};
   RecoveryParams recovery;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("follow", self.follow);
-    visit("path_return_m", self.path_return_m, Range{0.0, 1.0});
-    visit("min_step_width_m", self.min_step_width_m, Range{0.0, 1.0});
-    visit("com_sway", self.com_sway, Range{0.0, 1.0});
-    visit("recovery", self.recovery);
+    visit("follow", self.follow,
+          "where nominal footholds go once the robot is off its path: path: they stay on it; "
+          "capture_point: they move with the capture point at each landing, then drift back");
+    visit("path_return_m", self.path_return_m, Range{0.0, 1.0},
+          "largest drift back to the path in one step, once off it");
+    visit("min_step_width_m", self.min_step_width_m, Range{0.0, 1.0},
+          "of two feet: least distance along y that a step adjustment may leave");
+    visit("com_sway", self.com_sway, Range{0.0, 1.0},
+          "where the CoM reference is in the middle of a swing: this share of the way from the "
+          "path to the standing foot (0, as in the paper: on the path)");
+    visit("recovery", self.recovery, "steps that the gait does not have");
   }
 };
 

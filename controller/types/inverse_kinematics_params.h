@@ -18,27 +18,37 @@ struct InverseKinematicsParams {
   double torso_gain_per_s{5.0};
   double torso_weight{1.0};
   double posture_gain_per_s{5.0};
-  double posture_weight{1e-2};         ///< Times each joint's own weight.
-  double com_feedback_per_s{4.0};      ///< Of the planned CoM minus the believed one.
-  double zmp_feedback_per_s{0.3};      ///< Of the believed ZMP minus the planned one.
-  double position_anchor_per_s{10.0};  ///< Commanded feet towards the believed ones.
-  double attitude_anchor_per_s{10.0};  ///< Commanded base towards the believed one.
-  bool compensates_deflection{true};   ///< Adds torque over stiffness to the servos' references.
+  double posture_weight{1e-2};
+  double com_feedback_per_s{4.0};
+  double zmp_feedback_per_s{0.3};
+  double position_anchor_per_s{10.0};
+  double attitude_anchor_per_s{10.0};
+  bool compensates_deflection{true};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     const Range gain{0.0, 1e3};
-    visit("foot_linear_gain_per_s", self.foot_linear_gain_per_s, gain);
-    visit("foot_angular_gain_per_s", self.foot_angular_gain_per_s, gain);
-    visit("torso_gain_per_s", self.torso_gain_per_s, gain);
-    visit("torso_weight", self.torso_weight, gain);
-    visit("posture_gain_per_s", self.posture_gain_per_s, gain);
-    visit("posture_weight", self.posture_weight, gain);
-    visit("com_feedback_per_s", self.com_feedback_per_s, gain);
-    visit("zmp_feedback_per_s", self.zmp_feedback_per_s, gain);
-    visit("position_anchor_per_s", self.position_anchor_per_s, gain);
-    visit("attitude_anchor_per_s", self.attitude_anchor_per_s, gain);
-    visit("compensates_deflection", self.compensates_deflection);
+    visit("foot_linear_gain_per_s", self.foot_linear_gain_per_s, gain,
+          "velocity of a foot asked for a metre of position error");
+    visit("foot_angular_gain_per_s", self.foot_angular_gain_per_s, gain,
+          "angular velocity of a foot asked for a radian of error");
+    visit("torso_gain_per_s", self.torso_gain_per_s, gain,
+          "angular velocity of the torso asked for a radian of error");
+    visit("torso_weight", self.torso_weight, gain, "weight of the torso's orientation task");
+    visit("posture_gain_per_s", self.posture_gain_per_s, gain,
+          "joint velocity asked for a radian off the home posture");
+    visit("posture_weight", self.posture_weight, gain,
+          "weight of the posture task, times each joint's own posture_weight");
+    visit("com_feedback_per_s", self.com_feedback_per_s, gain,
+          "CoM velocity added for a metre between planned and estimated CoM");
+    visit("zmp_feedback_per_s", self.zmp_feedback_per_s, gain,
+          "CoM velocity added for a metre between estimated and planned ZMP");
+    visit("position_anchor_per_s", self.position_anchor_per_s, gain,
+          "rate at which commanded feet are drawn to the estimated ones");
+    visit("attitude_anchor_per_s", self.attitude_anchor_per_s, gain,
+          "rate at which the commanded base attitude is drawn to the estimated one");
+    visit("compensates_deflection", self.compensates_deflection,
+          "adds torque over stiffness to the servos' references");
   }
 };
 

@@ -27,12 +27,17 @@ struct MpcWeights {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     const Range weight{0.0, 1e9};
-    visit("com", self.com, weight);
-    visit("angular_momentum", self.angular_momentum, weight);
-    visit("contact_position", self.contact_position, weight);
-    visit("force_symmetry", self.force_symmetry, weight);
-    visit("force_rate", self.force_rate, weight);
-    visit("new_contact_force", self.new_contact_force, weight);
+    visit("com", self.com, weight, "CoM against its reference, per axis");
+    visit("angular_momentum", self.angular_momentum, weight,
+          "angular momentum about the CoM against its reference, per axis");
+    visit("contact_position", self.contact_position, weight,
+          "footholds against their nominal ones, per axis");
+    visit("force_symmetry", self.force_symmetry, weight,
+          "forces of a foot's vertices against their mean, per axis");
+    visit("force_rate", self.force_rate, weight,
+          "change of the forces from knot to knot, per axis");
+    visit("new_contact_force", self.new_contact_force, weight,
+          "forces of a foot that touches down at the last knot, per axis");
   }
 };
 
@@ -52,38 +57,44 @@ struct EnumNames<MpcBackend> {
 inline constexpr std::array<MpcBackend, 2> kMpcBackends{MpcBackend::kIpopt,
                                                         MpcBackend::kStructured};
 
-/// What the centroidal MPC may be told.
+/// The horizon, its solver and what the controller assumes; key by key in VisitFields.
 struct MpcParams {
-  double rate_hz{10.0};  ///< Solves a second.
-  int knots{15};         ///< N.
-  double step_s{0.1};    ///< T.
+  double rate_hz{10.0};
+  int knots{15};
+  double step_s{0.1};
   MpcBackend backend{MpcBackend::kStructured};
-  double latency_s{0.0};   ///< A solution is used this long after its measurement.
-  double tolerance{1e-6};  ///< Of the scaled optimality conditions.
+  double latency_s{0.0};
+  double tolerance{1e-6};
   int max_iterations{100};
-  double friction{0.33};  ///< Coefficient the controller plans with.
-  Eigen::Vector3d box_lower_m{-0.1, -0.1,
-                              0.0};  ///< Step adjustment, contact frame; right foot mirrored.
+  double friction{0.33};
+  Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};
   Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};
-  double external_wrench_hold_s{0.1};  ///< A measured wrench is assumed to last this long.
-  double attitude_rate_radps{0.0};     ///< Momentum reference I k theta that levels the base.
+  double external_wrench_hold_s{0.1};
+  double attitude_rate_radps{0.0};
   MpcWeights weights;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("rate_hz", self.rate_hz, Range{1.0, 1000.0});
-    visit("knots", self.knots, Range{2.0, 200.0});
-    visit("step_s", self.step_s, Range{0.005, 0.5});
-    visit("backend", self.backend);
-    visit("latency_s", self.latency_s, Range{0.0, 1.0});
-    visit("tolerance", self.tolerance, Range{1e-12, 1e-2});
-    visit("max_iterations", self.max_iterations, Range{1.0, 10000.0});
-    visit("friction", self.friction, Range{0.01, 10.0});
-    visit("box_lower_m", self.box_lower_m, Range{-2.0, 2.0});
-    visit("box_upper_m", self.box_upper_m, Range{-2.0, 2.0});
-    visit("external_wrench_hold_s", self.external_wrench_hold_s, Range{0.0, 10.0});
-    visit("attitude_rate_radps", self.attitude_rate_radps, Range{0.0, 100.0});
-    visit("weights", self.weights);
+    visit("rate_hz", self.rate_hz, Range{1.0, 1000.0}, "solves a second");
+    visit("knots", self.knots, Range{2.0, 200.0}, "knots of the horizon (N of the paper)");
+    visit("step_s", self.step_s, Range{0.005, 0.5}, "time between knots (T of the paper)");
+    visit("backend", self.backend, "solver; both reach the same optimum");
+    visit("latency_s", self.latency_s, Range{0.0, 1.0},
+          "a solution is used this long after the measurement it started from");
+    visit("tolerance", self.tolerance, Range{1e-12, 1e-2}, "of the scaled optimality conditions");
+    visit("max_iterations", self.max_iterations, Range{1.0, 10000.0},
+          "limit of iterations a solve");
+    visit("friction", self.friction, Range{0.01, 10.0}, "coefficient that the MPC plans with");
+    visit("box_lower_m", self.box_lower_m, Range{-2.0, 2.0},
+          "least step adjustment, in the axes of the contact; y is mirrored for a right foot");
+    visit("box_upper_m", self.box_upper_m, Range{-2.0, 2.0},
+          "largest step adjustment, in the axes of the contact; y is mirrored for a right foot");
+    visit("external_wrench_hold_s", self.external_wrench_hold_s, Range{0.0, 10.0},
+          "a measured or known external wrench is assumed to last this long");
+    visit("attitude_rate_radps", self.attitude_rate_radps, Range{0.0, 100.0},
+          "k of the angular momentum reference I k theta, which levels a base tilted by theta");
+    visit("weights", self.weights,
+          "weights of the tasks, world axes; momentum and force are divided by the mass");
   }
 };
 

@@ -27,8 +27,8 @@ LoadedRun Load(const std::filesystem::path& run_dir) {
 RenderOptions RenderOptionsOf(const std::filesystem::path& run_dir) {
   const VideoParams video = ReadScenario(run_dir / "scenario.yaml", {}).video;
   RenderOptions options;
-  options.width_px = video.width_px;
-  options.height_px = video.height_px;
+  options.width_px = video.size.width_px;
+  options.height_px = video.size.height_px;
   options.fps = video.fps;
   options.camera = video.camera;
   return options;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,8 +33,7 @@ struct EnumNames<PushFrame> {
       {{PushFrame::kWorld, "world"}, {PushFrame::kHeading, "heading"}, {PushFrame::kBody, "body"}}};
 };
 
-/// A scripted force at a point of a body. The file gives `force_N`, or `magnitude_N` with
-/// `direction_rad` (about z from x, heading frame); either way it ends up here as force_N.
+/// A scripted force at a point of a body.
 struct Push {
   std::string body;  ///< A body or a frame (site) of the robot.
   Eigen::Vector3d force_N{Eigen::Vector3d::Zero()};
@@ -42,6 +42,40 @@ struct Push {
   Eigen::Vector3d point_m{Eigen::Vector3d::Zero()};  ///< In the body's or frame's own axes.
   PushProfile profile{PushProfile::kConstant};       ///< half_sine peaks at force_N.
   PushFrame frame{PushFrame::kWorld};
+};
+
+/// A push as a file spells it: `force_N`, or `magnitude_N` with `direction_rad`; read_sections
+/// turns the latter into a force_N in the heading frame.
+struct PushEntry {
+  Push push;
+  std::optional<Eigen::Vector3d> force_N;
+  std::optional<double> magnitude_N;
+  std::optional<double> direction_rad;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    // Bounds that only catch slips of the pen, such as millimetres for metres.
+    constexpr double kMaxForce_N = 1e5;
+    constexpr double kMaxAngle_rad = 7.0;  // a turn and a bit
+    constexpr double kMaxTime_s = 1e4;
+    visit("body", self.push.body, Required("a body or a frame (site) of the robot"));
+    visit("force_N", self.force_N, Range{-kMaxForce_N, kMaxForce_N},
+          "the force; this, or magnitude_N and direction_rad");
+    visit("magnitude_N", self.magnitude_N, Range{0.0, kMaxForce_N},
+          "size of a horizontal force along direction_rad");
+    visit("direction_rad", self.direction_rad, Range{-kMaxAngle_rad, kMaxAngle_rad},
+          "angle about z from the heading of the base: 0 pushes forwards, pi/2 to the left");
+    visit("start_s", self.push.start_s, Range{0.0, kMaxTime_s}, Required("when it begins"));
+    visit("duration_s", self.push.duration_s, Range{0.0, kMaxTime_s, true},
+          Required("how long it lasts"));
+    visit("point_m", self.push.point_m, Range{-10.0, 10.0},
+          "where it acts, in the axes of the body or frame");
+    visit("profile", self.push.profile,
+          "constant, or half_sine: rises to the force and falls again");
+    visit("frame", self.push.frame,
+          "axes of force_N: world; heading: world turned by the yaw of the base when the push "
+          "starts; body: the axes of the pushed body, turning with it");
+  }
 };
 
 }  // namespace sidestep

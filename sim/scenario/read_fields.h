@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -11,6 +12,7 @@
 
 #include "controller/types/field.h"
 #include "models/support/config_node.h"
+#include "sim/scenario/scenario.h"
 
 namespace sidestep {
 
@@ -25,29 +27,55 @@ Enum ReadEnum(const ConfigNode& node) {
   return EnumNames<Enum>::kNames[node.Choice(names)].first;
 }
 
-/// The visitor: overwrites every field whose key the map has; others keep their default.
+/// The visitor: overwrites every field whose key the map has; others keep their default. Throws
+/// ConfigError if a required key is missing.
 class FieldReader {
  public:
   explicit FieldReader(ConfigMap* map) : map_(map) {}
 
-  void operator()(const char* key, double& field, Range range) {
-    if (const auto node = map_->Optional(key)) field = node->Number(range.min, range.max);
-  }
-
-  void operator()(const char* key, int& field, Range range) {
-    const auto node = map_->Optional(key);
+  void operator()(const char* key, double& field, Range range, Meaning meaning) {
+    const auto node = Find(key, meaning);
     if (!node) return;
-    field = static_cast<int>(
-        node->Integer(static_cast<std::int64_t>(range.min), static_cast<std::int64_t>(range.max)));
+    field = node->Number(range.min, range.max);
+    if (range.excludes_min && field <= range.min) {
+      node->Fail("must be greater than " + NumberText(range.min));
+    }
   }
 
-  void operator()(const char* key, Eigen::Vector3d& field, Range range) {
-    if (const auto node = map_->Optional(key)) field = node->Vector3(range.min, range.max);
+  void operator()(const char* key, int& field, Range range, Meaning meaning) {
+    if (const auto node = Find(key, meaning)) field = ReadInt(*node, range);
+  }
+
+  void operator()(const char* key, Eigen::Vector3d& field, Range range, Meaning meaning) {
+    if (const auto node = Find(key, meaning)) field = node->Vector3(range.min, range.max);
+  }
+
+  void operator()(const char* key, PixelSize& field, Range range, Meaning meaning) {
+    const auto node = Find(key, meaning);
+    if (!node) return;
+    const std::vector<ConfigNode> sides = node->List();
+    if (sides.size() != 2) node->Fail("must be a list of 2 integers, [width, height] in pixels");
+    field = {ReadSide(sides[0], range), ReadSide(sides[1], range)};
+  }
+
+  /// A value without a default: stays empty where the map has no such key.
+  template <typename T>
+  void operator()(const char* key, std::optional<T>& field, Range range, Meaning meaning) {
+    if (!Find(key, meaning)) return;
+    field.emplace();
+    (*this)(key, *field, range, meaning);
+  }
+
+  void operator()(const char* key, std::uint64_t& field, Meaning meaning) {
+    const auto node = Find(key, meaning);
+    if (!node) return;
+    constexpr std::int64_t kMax = std::numeric_limits<std::int64_t>::max();
+    field = static_cast<std::uint64_t>(node->Integer(0, kMax));
   }
 
   template <typename T>
-  void operator()(const char* key, T& field) {
-    const std::optional<ConfigNode> node = map_->Optional(key);
+  void operator()(const char* key, T& field, Meaning meaning) {
+    const std::optional<ConfigNode> node = Find(key, meaning);
     if (!node) return;
     if constexpr (std::is_same_v<T, bool>) {
       field = node->Bool();
@@ -60,7 +88,24 @@ class FieldReader {
     }
   }
 
+ protected:
+  std::optional<ConfigNode> Find(const char* key, Meaning meaning) {
+    if (meaning.is_required) return map_->Required(key);
+    return map_->Optional(key);
+  }
+
  private:
+  static int ReadInt(const ConfigNode& node, Range range) {
+    return static_cast<int>(
+        node.Integer(static_cast<std::int64_t>(range.min), static_cast<std::int64_t>(range.max)));
+  }
+
+  static int ReadSide(const ConfigNode& node, Range range) {
+    const int side_px = ReadInt(node, range);
+    if (side_px % 2 != 0) node.Fail("= " + node.Text() + " must be even, as H.264 asks");
+    return side_px;
+  }
+
   ConfigMap* map_;
 };
 

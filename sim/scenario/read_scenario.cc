@@ -16,8 +16,6 @@ namespace sidestep {
 namespace {
 
 constexpr std::int64_t kFormatVersion = 1;
-constexpr double kMinDuration_s = 0.01;
-constexpr double kMaxDuration_s = 1e4;
 constexpr std::size_t kMaxNameLength = 100;  // It names a folder; file systems allow 255.
 
 void ReadVersion(ConfigMap& map) {
@@ -28,7 +26,7 @@ void ReadVersion(ConfigMap& map) {
 }
 
 /// The name becomes a folder's, so it is a plain word.
-std::string ReadName(const ConfigNode& node) {
+void CheckName(const ConfigNode& node) {
   constexpr std::string_view kAllowed =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
   const std::string name = node.Text();
@@ -38,7 +36,6 @@ std::string ReadName(const ConfigNode& node) {
     node.Fail("= '" + name + "' must be 1 to 100 letters, digits, '_', '-' or '.', and begin " +
               "with neither '-' nor '.'");
   }
-  return name;
 }
 
 // Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's.
@@ -49,7 +46,6 @@ void ReadRobotControl(const std::filesystem::path& robot_file, ControlParams* co
 }
 
 void ReadRobot(const ConfigNode& node, Scenario* scenario) {
-  scenario->robot = node.Text();
   const bool is_from_file = node.tree().place.source->is_file;
   const std::filesystem::path folder = is_from_file ? scenario->file.parent_path() : "";
   const std::filesystem::path robot_file = FindRobot(scenario->robot, folder);
@@ -61,21 +57,37 @@ void ReadRobot(const ConfigNode& node, Scenario* scenario) {
   ReadRobotControl(robot_file, &scenario->control);
 }
 
-template <typename T>
-void ReadSection(ConfigMap& map, const char* key, T& section) {
-  if (const auto node = map.Optional(key)) ReadFields(*node, section);
+void ReadBasics(ConfigMap& map, Scenario* scenario) {
+  ScenarioBasics::VisitFields(*scenario, FieldReader(&map));
+  CheckName(map.Required("name"));
 }
 
-void ReadBasics(ConfigMap& map, Scenario* scenario) {
-  scenario->name = ReadName(map.Required("name"));
-  if (const auto text = map.Optional("description")) scenario->description = text->Text();
-  scenario->duration_s = map.Required("duration_s").Number(kMinDuration_s, kMaxDuration_s);
-  if (const auto plant = map.Optional("plant")) scenario->plant = ReadEnum<Plant>(*plant);
-  if (const auto seed = map.Optional("seed")) {
-    const std::int64_t value = seed->Integer(0, std::numeric_limits<std::int64_t>::max());
-    scenario->seed = static_cast<std::uint64_t>(value);
+/// Reads the sections: structs as they are, and what files spell in a form of its own.
+class SectionReader {
+ public:
+  SectionReader(ConfigMap* map, std::size_t foot_count) : map_(map), foot_count_(foot_count) {}
+
+  template <typename T>
+  void operator()(const char* key, T& section, Meaning /*meaning*/) {
+    if (const auto node = map_->Optional(key)) ReadFields(*node, section);
   }
-}
+  void operator()(const char* key, std::vector<GaitParams>& gaits, Meaning /*meaning*/) {
+    gaits = ReadGaits(map_->Optional(key), foot_count_);
+  }
+  void operator()(const char* key, std::vector<Push>& pushes, Meaning /*meaning*/) {
+    if (const auto node = map_->Optional(key)) pushes = ReadPushes(*node);
+  }
+  void operator()(const char* key, std::vector<Expectation>& expect, Meaning /*meaning*/) {
+    if (const auto node = map_->Optional(key)) expect = ReadExpectations(*node);
+  }
+  void operator()(const char* key, VideoParams& video, Meaning /*meaning*/) {
+    if (const auto node = map_->Optional(key)) video = ReadVideo(*node);
+  }
+
+ private:
+  ConfigMap* map_;
+  std::size_t foot_count_;
+};
 
 }  // namespace
 
@@ -90,16 +102,8 @@ Scenario ReadScenario(const std::filesystem::path& file,
   ReadVersion(map);
   ReadBasics(map, &scenario);
   ReadRobot(map.Required("robot"), &scenario);
-  ReadSection(map, "control", scenario.control);
-  ReadSection(map, "world", scenario.world);
-  ReadSection(map, "sensors", scenario.sensors);
-  ReadSection(map, "verdict", scenario.verdict);
-
-  const std::size_t feet = scenario.description_of_robot.feet.size();
-  scenario.gait = ReadGaits(map.Optional("gait"), feet);
-  if (const auto pushes = map.Optional("pushes")) scenario.pushes = ReadPushes(*pushes);
-  if (const auto expect = map.Optional("expect")) scenario.expect = ReadExpectations(*expect);
-  if (const auto video = map.Optional("video")) scenario.video = ReadVideo(*video);
+  const std::size_t foot_count = scenario.description_of_robot.feet.size();
+  Scenario::VisitSections(scenario, SectionReader(&map, foot_count));
   map.RejectUnknownKeys();
   CheckScenario(scenario, root);
   return scenario;

@@ -11,15 +11,7 @@
 namespace sidestep {
 namespace {
 
-// Bounds that only catch slips of the pen, such as millimetres for metres.
-constexpr double kMaxForce_N = 1e5;
-constexpr double kMaxPoint_m = 10.0;
-constexpr double kMaxTime_s = 1e4;
-constexpr double kMaxAngle_rad = 7.0;  // a turn and a bit
-constexpr double kMaxMetric = 1e12;
-constexpr int kMinVideo_px = 64;
-constexpr int kMaxVideo_px = 4096;
-constexpr int kMaxFps = 240;
+constexpr double kMaxMetric = 1e12;  // only catches slips of the pen
 
 GaitParams DefaultGait(std::size_t foot_count) {
   GaitParams gait;
@@ -33,43 +25,39 @@ GaitParams ReadGait(const ConfigNode& node, std::size_t foot_count) {
   return gait;
 }
 
-void ReadForce(ConfigMap& map, const ConfigNode& node, Push* push) {
-  const auto force = map.Optional("force_N");
-  const auto magnitude = map.Optional("magnitude_N");
-  const auto direction = map.Optional("direction_rad");
-  if (force) {
-    if (magnitude) magnitude->Fail("and force_N exclude each other");
-    if (direction) direction->Fail("and force_N exclude each other");
-    push->force_N = force->Vector3(-kMaxForce_N, kMaxForce_N);
-    return;
+/// Refuses two ways to tell the force, and none.
+void CheckForce(const PushEntry& entry, ConfigMap& map, const ConfigNode& node) {
+  for (const char* key : {"magnitude_N", "direction_rad"}) {
+    const auto other = map.Optional(key);
+    if (entry.force_N && other) other->Fail("and force_N exclude each other");
   }
-  if (!magnitude && !direction) node.Fail("needs force_N, or magnitude_N and direction_rad");
-  const double magnitude_N = map.Required("magnitude_N").Number(0.0, kMaxForce_N);
-  const double direction_rad = map.Required("direction_rad").Number(-kMaxAngle_rad, kMaxAngle_rad);
-  push->force_N =
-      magnitude_N * Eigen::Vector3d(std::cos(direction_rad), std::sin(direction_rad), 0);
-  push->frame = PushFrame::kHeading;
+  if (entry.force_N) return;
+  if (!entry.magnitude_N && !entry.direction_rad) {
+    node.Fail("needs force_N, or magnitude_N and direction_rad");
+  }
+  map.Required("magnitude_N");
+  map.Required("direction_rad");
   const auto frame = map.Optional("frame");
-  if (frame && ReadEnum<PushFrame>(*frame) != PushFrame::kHeading) {
+  if (frame && entry.push.frame != PushFrame::kHeading) {
     frame->Fail("must be heading, or absent, where direction_rad is given");
   }
 }
 
 Push ReadPush(const ConfigNode& node) {
   ConfigMap map = node.Map();
-  Push push;
-  push.body = map.Required("body").Text();
-  push.start_s = map.Required("start_s").Number(0.0, kMaxTime_s);
-  const ConfigNode duration = map.Required("duration_s");
-  push.duration_s = duration.Number(0.0, kMaxTime_s);
-  if (push.duration_s <= 0.0) duration.Fail("must be greater than 0");
-  if (const auto frame = map.Optional("frame")) push.frame = ReadEnum<PushFrame>(*frame);
-  if (const auto profile = map.Optional("profile")) push.profile = ReadEnum<PushProfile>(*profile);
-  if (const auto point = map.Optional("point_m")) {
-    push.point_m = point->Vector3(-kMaxPoint_m, kMaxPoint_m);
-  }
-  ReadForce(map, node, &push);
+  PushEntry entry;
+  PushEntry::VisitFields(entry, FieldReader(&map));
+  CheckForce(entry, map, node);
   map.RejectUnknownKeys();
+  Push push = entry.push;
+  if (entry.force_N) {
+    push.force_N = *entry.force_N;
+    return push;
+  }
+  const double direction_rad = *entry.direction_rad;
+  push.force_N =
+      *entry.magnitude_N * Eigen::Vector3d(std::cos(direction_rad), std::sin(direction_rad), 0);
+  push.frame = PushFrame::kHeading;
   return push;
 }
 
@@ -108,12 +96,6 @@ Expectation ReadExpectation(const ConfigNode& node, const MetricInfo& metric) {
   return expectation;
 }
 
-int ReadSide(const ConfigNode& node) {
-  const int side_px = static_cast<int>(node.Integer(kMinVideo_px, kMaxVideo_px));
-  if (side_px % 2 != 0) node.Fail("= " + node.Text() + " must be even, as H.264 asks");
-  return side_px;
-}
-
 }  // namespace
 
 std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node, std::size_t foot_count) {
@@ -148,16 +130,7 @@ VideoParams ReadVideo(const ConfigNode& node) {
     video.enabled = node.Bool();
     return video;
   }
-  ConfigMap map = node.Map();
-  if (const auto size = map.Optional("size")) {
-    const std::vector<ConfigNode> sides = size->List();
-    if (sides.size() != 2) size->Fail("must be a list of 2 integers, [width, height] in pixels");
-    video.width_px = ReadSide(sides[0]);
-    video.height_px = ReadSide(sides[1]);
-  }
-  if (const auto fps = map.Optional("fps")) video.fps = static_cast<int>(fps->Integer(1, kMaxFps));
-  if (const auto camera = map.Optional("camera")) video.camera = ReadEnum<VideoCamera>(*camera);
-  map.RejectUnknownKeys();
+  ReadFields(node, video);
   return video;
 }
 

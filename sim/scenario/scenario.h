@@ -32,15 +32,18 @@ struct EnumNames<Plant> {
 
 /// Bounds that decide FALL and SLIP on the truth; see sim/verdict.
 struct VerdictParams {
-  double min_base_height_ratio{0.5};  ///< FALL below this share of the nominal height.
-  double max_tilt_rad{1.0};           ///< FALL beyond this angle of the base from upright.
-  double max_slip_m{0.05};            ///< SLIP if a foot slides farther in one stance.
+  double min_base_height_ratio{0.5};
+  double max_tilt_rad{1.0};
+  double max_slip_m{0.05};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("min_base_height_ratio", self.min_base_height_ratio, Range{0.0, 1.0});
-    visit("max_tilt_rad", self.max_tilt_rad, Range{0.05, 3.2});
-    visit("max_slip_m", self.max_slip_m, Range{0.0, 10.0});
+    visit("min_base_height_ratio", self.min_base_height_ratio, Range{0.0, 1.0},
+          "FALL below this share of the nominal height of the base");
+    visit("max_tilt_rad", self.max_tilt_rad, Range{0.05, 3.2},
+          "FALL beyond this angle of the base from upright");
+    visit("max_slip_m", self.max_slip_m, Range{0.0, 10.0},
+          "SLIP if a foot slides farther in one stance");
   }
 };
 
@@ -60,23 +63,56 @@ struct EnumNames<VideoCamera> {
       {{VideoCamera::kFollow, "follow"}, {VideoCamera::kFixed, "fixed"}}};
 };
 
-struct VideoParams {
-  bool enabled{true};
-  int width_px{640};  ///< The file's `size: [width, height]`.
-  int height_px{480};
-  int fps{30};
-  VideoCamera camera{VideoCamera::kFollow};
+/// Both sides are even, as H.264 asks.
+struct PixelSize {
+  int width_px;
+  int height_px;
 };
 
-struct Scenario {
-  std::filesystem::path file;  ///< Where it was read from; not part of the resolved file.
+/// The video; in a file `video: false` draws none, and there is no key `enabled`.
+struct VideoParams {
+  bool enabled{true};
+  PixelSize size{640, 480};
+  int fps{30};
+  VideoCamera camera{VideoCamera::kFollow};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("size", self.size, Range{64.0, 4096.0}, "[width, height] in pixels, both even");
+    visit("fps", self.fps, Range{1.0, 240.0}, "frames a second of simulated time");
+    visit("camera", self.camera, "follow: goes along with the robot; fixed: stands still");
+  }
+};
+
+/// What a scenario says of itself in single values.
+struct ScenarioBasics {
+  int format{1};
   std::string name;
   std::string description;
   std::string robot;  ///< As the file names it.
-  RobotDescription description_of_robot;
   Plant plant{Plant::kMujoco};
   double duration_s{0.0};
   std::uint64_t seed{1};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("sidestep", self.format, Range{1.0, 1.0}, Required("version of the file format"));
+    visit("name", self.name,
+          Required("a plain word of letters, digits, '_', '-', '.'; it names the run's folder"));
+    visit("description", self.description, "a sentence for the report");
+    visit("robot", self.robot,
+          Required("a robot that ships (see `sidestep robots`), or the path of a robot.yaml"));
+    visit("plant", self.plant,
+          "mujoco: rigid bodies; centroidal: CoM and momentum alone, for robots without a model");
+    visit("duration_s", self.duration_s, Range{0.01, 1e4}, Required("simulated time"));
+    visit("seed", self.seed, "of the sensors' noise");
+  }
+};
+
+/// A whole scenario: its basics, its sections and the robot it names.
+struct Scenario : ScenarioBasics {
+  std::filesystem::path file;  ///< Where it was read from; not part of the resolved file.
+  RobotDescription description_of_robot;
   ControlParams control;
   std::vector<GaitParams> gait;  ///< In order of start_s; the first starts at 0.
   std::vector<Push> pushes;
@@ -85,6 +121,21 @@ struct Scenario {
   VerdictParams verdict;
   std::vector<Expectation> expect;
   VideoParams video;
+
+  /// Like VisitFields, for the keys that hold more than one value.
+  template <typename Self, typename Visitor>
+  static void VisitSections(Self& self, Visitor&& visit) {
+    visit("control", self.control,
+          "the controller; a robot's own `control:` in its robot.yaml stands before this one");
+    visit("gait", self.gait, "one gait, or a list of them ordered by start_s");
+    visit("pushes", self.pushes, "scripted forces on the robot");
+    visit("world", self.world, "the simulated world");
+    visit("sensors", self.sensors, "errors of the sensors");
+    visit("verdict", self.verdict, "bounds of a fall and of a slip");
+    visit("expect", self.expect,
+          "metrics (see `sidestep metrics`), each with a number, true or false, or {min, max}");
+    visit("video", self.video, "what the video looks like; false: none, true: the defaults");
+  }
 };
 
 }  // namespace sidestep

@@ -16,51 +16,18 @@ std::string RobotReference(const Scenario& scenario) {
 }
 
 void WriteBasics(const Scenario& scenario, YamlWriter* yaml) {
-  yaml->Line("sidestep", "1");
-  yaml->Line("name", YamlScalar(scenario.name));
-  yaml->Line("description", YamlScalar(scenario.description));
-  yaml->Line("robot", YamlScalar(RobotReference(scenario)));
-  yaml->Line("plant", EnumName(scenario.plant));
-  yaml->Line("duration_s", NumberText(scenario.duration_s));
-  yaml->Line("seed", std::to_string(scenario.seed));
+  ScenarioBasics basics = scenario;
+  basics.robot = RobotReference(scenario);
+  yaml->Fields(basics);
 }
 
-void WriteGaits(const std::vector<GaitParams>& gaits, YamlWriter* yaml) {
-  yaml->Begin("gait");
-  for (const GaitParams& gait : gaits) {
-    yaml->BeginElement();
-    yaml->Fields(gait);
-    yaml->EndElement();
-  }
-  yaml->End();
-}
-
-void WritePushes(const std::vector<Push>& pushes, YamlWriter* yaml) {
-  if (pushes.empty()) {
-    yaml->Line("pushes", "[]");
-    return;
-  }
-  yaml->Begin("pushes");
-  for (const Push& push : pushes) {
-    yaml->BeginElement();
-    yaml->Line("body", YamlScalar(push.body));
-    yaml->Line("force_N", YamlVector(push.force_N));
-    yaml->Line("start_s", NumberText(push.start_s));
-    yaml->Line("duration_s", NumberText(push.duration_s));
-    yaml->Line("point_m", YamlVector(push.point_m));
-    yaml->Line("profile", EnumName(push.profile));
-    yaml->Line("frame", EnumName(push.frame));
-    yaml->EndElement();
-  }
-  yaml->End();
-}
-
-void WriteExpectations(const std::vector<Expectation>& expectations, YamlWriter* yaml) {
+void WriteExpectations(const char* key, const std::vector<Expectation>& expectations,
+                       YamlWriter* yaml) {
   if (expectations.empty()) {
-    yaml->Line("expect", "{}");
+    yaml->Line(key, "{}");
     return;
   }
-  yaml->Begin("expect");
+  yaml->Begin(key);
   for (const Expectation& expectation : expectations) {
     if (expectation.is) {
       yaml->Line(expectation.metric, *expectation.is ? "true" : "false");
@@ -75,32 +42,60 @@ void WriteExpectations(const std::vector<Expectation>& expectations, YamlWriter*
   yaml->End();
 }
 
-void WriteVideo(const VideoParams& video, YamlWriter* yaml) {
-  if (!video.enabled) {
-    yaml->Line("video", "false");
-    return;
+/// The sections: structs as they are, and what files spell in a form of its own.
+struct SectionWriter {
+  YamlWriter* yaml;
+
+  template <typename T>
+  void operator()(const char* key, const T& section, Meaning meaning) {
+    (*yaml)(key, section, meaning);
   }
-  yaml->Begin("video");
-  yaml->Line("size",
-             "[" + std::to_string(video.width_px) + ", " + std::to_string(video.height_px) + "]");
-  yaml->Line("fps", std::to_string(video.fps));
-  yaml->Line("camera", EnumName(video.camera));
-  yaml->End();
-}
+
+  void operator()(const char* key, const std::vector<GaitParams>& gaits, Meaning /*meaning*/) {
+    WriteList(key, gaits);
+  }
+
+  void operator()(const char* key, const std::vector<Push>& pushes, Meaning /*meaning*/) {
+    std::vector<PushEntry> entries;
+    for (const Push& push : pushes) entries.push_back({push, push.force_N, {}, {}});
+    WriteList(key, entries);
+  }
+
+  void operator()(const char* key, const std::vector<Expectation>& expectations,
+                  Meaning /*meaning*/) {
+    WriteExpectations(key, expectations, yaml);
+  }
+
+  void operator()(const char* key, const VideoParams& video, Meaning meaning) {
+    if (video.enabled) {
+      (*yaml)(key, video, meaning);
+    } else {
+      yaml->Line(key, "false");
+    }
+  }
+
+  template <typename T>
+  void WriteList(const char* key, const std::vector<T>& elements) {
+    if (elements.empty()) {
+      yaml->Line(key, "[]");
+      return;
+    }
+    yaml->Begin(key);
+    for (const T& element : elements) {
+      yaml->BeginElement();
+      yaml->Fields(element);
+      yaml->EndElement();
+    }
+    yaml->End();
+  }
+};
 
 }  // namespace
 
 std::string ResolvedYaml(const Scenario& scenario) {
   YamlWriter yaml;
   WriteBasics(scenario, &yaml);
-  yaml("control", scenario.control);
-  WriteGaits(scenario.gait, &yaml);
-  WritePushes(scenario.pushes, &yaml);
-  yaml("world", scenario.world);
-  yaml("sensors", scenario.sensors);
-  yaml("verdict", scenario.verdict);
-  WriteExpectations(scenario.expect, &yaml);
-  WriteVideo(scenario.video, &yaml);
+  Scenario::VisitSections(scenario, SectionWriter{&yaml});
   return yaml.text();
 }
 

@@ -3,12 +3,15 @@
 // yaml_writer: parameter structs as YAML text that reads back to the very same values.
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
 #include "controller/types/field.h"
 #include "models/support/config_node.h"
+#include "sim/scenario/scenario.h"
 
 namespace sidestep {
 
@@ -39,13 +42,29 @@ class YamlWriter {
   }
 
   // The visitor's face.
-  void operator()(const char* key, double value, Range /*range*/) { Line(key, NumberText(value)); }
-  void operator()(const char* key, int value, Range /*range*/) { Line(key, std::to_string(value)); }
-  void operator()(const char* key, const Eigen::Vector3d& value, Range /*range*/) {
+  void operator()(const char* key, double value, Range /*range*/, Meaning /*meaning*/) {
+    Line(key, NumberText(value));
+  }
+  void operator()(const char* key, int value, Range /*range*/, Meaning /*meaning*/) {
+    Line(key, std::to_string(value));
+  }
+  void operator()(const char* key, const Eigen::Vector3d& value, Range /*range*/,
+                  Meaning /*meaning*/) {
     Line(key, YamlVector(value));
   }
+  void operator()(const char* key, const PixelSize& value, Range /*range*/, Meaning /*meaning*/) {
+    Line(key, "[" + std::to_string(value.width_px) + ", " + std::to_string(value.height_px) + "]");
+  }
+  /// Writes nothing where there is no value.
   template <typename T>
-  void operator()(const char* key, const T& value) {
+  void operator()(const char* key, const std::optional<T>& value, Range range, Meaning meaning) {
+    if (value) (*this)(key, *value, range, meaning);
+  }
+  void operator()(const char* key, std::uint64_t value, Meaning /*meaning*/) {
+    Line(key, std::to_string(value));
+  }
+  template <typename T>
+  void operator()(const char* key, const T& value, Meaning /*meaning*/) {
     if constexpr (std::is_same_v<T, bool>) {
       Line(key, value ? "true" : "false");
     } else if constexpr (std::is_same_v<T, std::string>) {

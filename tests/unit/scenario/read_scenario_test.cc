@@ -103,8 +103,8 @@ TEST_F(ReadScenarioTest, Basics) {
             "a.yaml:6:1: error: sedd is not a known key; did you mean 'seed'?");
   EXPECT_EQ(ErrorOfEdit("seed: 7", "colour: red"),
             "a.yaml:6:1: error: colour is not a known key; known keys: sidestep, name, "
-            "description, duration_s, plant, seed, robot, control, world, sensors, verdict, gait, "
-            "pushes, expect, video");
+            "description, robot, plant, duration_s, seed, control, gait, pushes, world, sensors, "
+            "verdict, expect, video");
 }
 
 TEST_F(ReadScenarioTest, Robot) {

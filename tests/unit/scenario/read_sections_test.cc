@@ -67,8 +67,8 @@ TEST_F(ReadSectionsTest, ReadsExpectationsOfEveryForm) {
 TEST_F(ReadSectionsTest, ReadsVideo) {
   const VideoParams video = Read(valid_).video;
   EXPECT_TRUE(video.enabled);
-  EXPECT_EQ(video.width_px, 320);
-  EXPECT_EQ(video.height_px, 240);
+  EXPECT_EQ(video.size.width_px, 320);
+  EXPECT_EQ(video.size.height_px, 240);
   EXPECT_EQ(video.fps, 25);
   EXPECT_EQ(video.camera, VideoCamera::kFixed);
   EXPECT_FALSE(Read(valid_, {"video=false"}).video.enabled);
@@ -135,7 +135,7 @@ TEST_F(ReadSectionsTest, PushErrors) {
             "heading, body");
   EXPECT_EQ(ErrorOfEdit("point_m: [0, 0, 0.1]", "torque_Nm: 1"),
             "a.yaml:13:68: error: pushes.0.torque_Nm is not a known key; known keys: body, "
-            "start_s, duration_s, frame, profile, point_m, force_N, magnitude_N, direction_rad");
+            "force_N, magnitude_N, direction_rad, start_s, duration_s, point_m, profile, frame");
 }
 
 TEST_F(ReadSectionsTest, ExpectationErrors) {

@@ -43,8 +43,8 @@ struct Inner {
   int count{3};
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("flag", self.flag);
-    visit("count", self.count, Range{0, 10});
+    visit("flag", self.flag, "");
+    visit("count", self.count, Range{0, 10}, "");
   }
 };
 
@@ -55,10 +55,10 @@ struct Outer {
   Inner inner;
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
-    visit("time_s", self.time_s, Range{0, 1});
-    visit("point_m", self.point_m, Range{-5, 5});
-    visit("name", self.name);
-    visit("inner", self.inner);
+    visit("time_s", self.time_s, Range{0, 1}, "");
+    visit("point_m", self.point_m, Range{-5, 5}, "");
+    visit("name", self.name, "");
+    visit("inner", self.inner, "");
   }
 };
 
@@ -71,7 +71,7 @@ TEST(YamlWriterTest, WritesFieldsOfEveryTypeAndListsOfMaps) {
     yaml.EndElement();
   }
   yaml.End();
-  yaml("outer", Outer());
+  yaml("outer", Outer(), "");
   EXPECT_EQ(yaml.text(),
             "list:\n"
             "  - flag: true\n"
