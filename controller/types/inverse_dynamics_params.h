@@ -24,17 +24,17 @@ struct InverseDynamicsParams {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     visit("com_stiffness_per_s2", self.com_stiffness_per_s2, Range{0.0, 1e5},
-          "CoM acceleration asked for a metre of position error");
+          "CoM acceleration per metre of position error");
     visit("com_damping_per_s", self.com_damping_per_s, Range{0.0, 1e4},
-          "CoM acceleration asked for a m/s of velocity error");
+          "CoM acceleration per m/s of velocity error");
     visit("attitude_stiffness_per_s2", self.attitude_stiffness_per_s2, Range{0.0, 1e5},
-          "angular acceleration of the base asked for a radian of error");
+          "angular acceleration of the base per radian of error");
     visit("attitude_damping_per_s", self.attitude_damping_per_s, Range{0.0, 1e4},
-          "angular acceleration of the base asked for a rad/s of error");
+          "angular acceleration of the base per rad/s of error");
     visit("swing_stiffness_per_s2", self.swing_stiffness_per_s2, Range{0.0, 1e5},
-          "acceleration of a swinging foot asked for a metre of error");
+          "acceleration of a swinging foot per metre of error");
     visit("swing_damping_per_s", self.swing_damping_per_s, Range{0.0, 1e4},
-          "acceleration of a swinging foot asked for a m/s of error");
+          "acceleration of a swinging foot per m/s of error");
     visit("com_weight", self.com_weight, Range{0.0, 1e6}, "weight of the CoM task");
     visit("attitude_weight", self.attitude_weight, Range{0.0, 1e6},
           "weight of the base's orientation task");

@@ -29,20 +29,20 @@ struct InverseKinematicsParams {
   static void VisitFields(Self& self, Visitor&& visit) {
     const Range gain{0.0, 1e3};
     visit("foot_linear_gain_per_s", self.foot_linear_gain_per_s, gain,
-          "velocity of a foot asked for a metre of position error");
+          "velocity of a foot per metre of position error");
     visit("foot_angular_gain_per_s", self.foot_angular_gain_per_s, gain,
-          "angular velocity of a foot asked for a radian of error");
+          "angular velocity of a foot per radian of error");
     visit("torso_gain_per_s", self.torso_gain_per_s, gain,
-          "angular velocity of the torso asked for a radian of error");
+          "angular velocity of the torso per radian of error");
     visit("torso_weight", self.torso_weight, gain, "weight of the torso's orientation task");
     visit("posture_gain_per_s", self.posture_gain_per_s, gain,
-          "joint velocity asked for a radian off the home posture");
+          "joint velocity per radian off the home posture");
     visit("posture_weight", self.posture_weight, gain,
           "weight of the posture task, times each joint's own posture_weight");
     visit("com_feedback_per_s", self.com_feedback_per_s, gain,
-          "CoM velocity added for a metre between planned and estimated CoM");
+          "CoM velocity added per metre between planned and estimated CoM");
     visit("zmp_feedback_per_s", self.zmp_feedback_per_s, gain,
-          "CoM velocity added for a metre between estimated and planned ZMP");
+          "CoM velocity added per metre between estimated and planned ZMP");
     visit("position_anchor_per_s", self.position_anchor_per_s, gain,
           "rate at which commanded feet are drawn to the estimated ones");
     visit("attitude_anchor_per_s", self.attitude_anchor_per_s, gain,

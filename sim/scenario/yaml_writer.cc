@@ -54,6 +54,10 @@ std::string YamlVector(const Eigen::Vector3d& value) {
          "]";
 }
 
+std::string YamlSize(const PixelSize& size) {
+  return "[" + std::to_string(size.width_px) + ", " + std::to_string(size.height_px) + "]";
+}
+
 void YamlWriter::Line(std::string_view key, std::string_view value) {
   const int columns = 2 * depth_ - (has_dash_ ? 2 : 0);
   text_ += std::string(static_cast<std::size_t>(columns), ' ') + (has_dash_ ? "- " : "");

@@ -21,6 +21,9 @@ std::string YamlScalar(std::string_view text);
 /// `[x, y, z]`.
 std::string YamlVector(const Eigen::Vector3d& value);
 
+/// `[width, height]`.
+std::string YamlSize(const PixelSize& size);
+
 /// Appends block-style maps, two columns a level.
 class YamlWriter {
  public:
@@ -53,7 +56,7 @@ class YamlWriter {
     Line(key, YamlVector(value));
   }
   void operator()(const char* key, const PixelSize& value, Range /*range*/, Meaning /*meaning*/) {
-    Line(key, "[" + std::to_string(value.width_px) + ", " + std::to_string(value.height_px) + "]");
+    Line(key, YamlSize(value));
   }
   /// Writes nothing where there is no value.
   template <typename T>

@@ -30,6 +30,11 @@ void AddReportCommand(CLI::App& app, int& exit_code);
 /// `robots [ROBOT]`: lists the robots that ship, or tells of one.
 void AddRobotsCommand(CLI::App& app, int& exit_code);
 
+/// `keys [PREFIX]`, `metrics`, `schema`: what a scenario may say.
+void AddKeysCommand(CLI::App& app, int& exit_code);
+void AddMetricsCommand(CLI::App& app, int& exit_code);
+void AddSchemaCommand(CLI::App& app, int& exit_code);
+
 /// `solve PROBLEM.json`: solves one MPC problem.
 void AddSolveCommand(CLI::App& app, int& exit_code);
 
