@@ -126,13 +126,17 @@ class TreeBuilder : public YAML::EventHandler {
 
 }  // namespace
 
+std::string MessageAt(const ConfigPlace& place, std::string_view kind, const std::string& what) {
+  const bool is_file = place.source->is_file;
+  std::string message = place.source->name;
+  if (is_file) message += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+  message += ": " + std::string(kind) + ": " + what;
+  if (is_file || place.column == 1) return message;
+  return message + " (column " + std::to_string(place.column) + " of the value)";
+}
+
 void FailAt(const ConfigPlace& place, const std::string& what) {
-  if (place.source->is_file) {
-    throw ConfigError(place.source->name, place.line, place.column, what);
-  }
-  std::string message = place.source->name + ": error: " + what;
-  if (place.column > 1) message += " (column " + std::to_string(place.column) + " of the value)";
-  throw ConfigError(message);
+  throw ConfigError(MessageAt(place, "error", what));
 }
 
 const ConfigTree* ConfigTree::Find(std::string_view key) const {

@@ -28,6 +28,9 @@ struct ConfigPlace {
   int column{1};
 };
 
+/// `file:line:column: <kind>: what`, or `--set a.b=c: <kind>: what`.
+std::string MessageAt(const ConfigPlace& place, std::string_view kind, const std::string& what);
+
 /// Throws ConfigError: `file:line:column: error: what`, or `--set a.b=c: error: what`.
 [[noreturn]] void FailAt(const ConfigPlace& place, const std::string& what);
 

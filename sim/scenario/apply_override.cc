@@ -53,16 +53,17 @@ ConfigTree* Value(ConfigTree* map, const std::string& key, const ConfigPlace& pl
 
 }  // namespace
 
-void ApplyOverride(const std::string& assignment, ConfigTree* root) {
+void ApplyOverride(const std::string& assignment, ConfigTree* root, const NoteSink& note) {
   const ConfigSource source{"--set " + assignment, false};
   const ConfigPlace place{std::make_shared<const ConfigSource>(source), 1, 1};
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) FailAt(place, "must read key=value");
   ConfigTree value = ParseConfig(assignment.substr(equals + 1), source);
 
+  const std::string assigned = RenamedPath(assignment.substr(0, equals), place, note);
   ConfigTree* tree = root;
   std::string path;
-  for (const std::string& part : PartsOf(assignment.substr(0, equals), place)) {
+  for (const std::string& part : PartsOf(assigned, place)) {
     if (tree->kind == ConfigKind::kNull) tree->kind = ConfigKind::kMap;
     if (tree->kind == ConfigKind::kScalar) {
       FailAt(place, path + " is '" + tree->scalar + "', which has no '" + part + "'");
@@ -72,6 +73,7 @@ void ApplyOverride(const std::string& assignment, ConfigTree* root) {
     path += (path.empty() ? "" : ".") + part;
   }
   *tree = std::move(value);
+  RenameOldKeys(root, note);
 }
 
 }  // namespace sidestep

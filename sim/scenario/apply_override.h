@@ -5,14 +5,15 @@
 #include <string>
 
 #include "models/support/config_tree.h"
+#include "sim/scenario/renamed_keys.h"
 
 namespace sidestep {
 
 /// Replaces or adds one value. `assignment` is a dotted path, `=`, and any YAML value; list
 /// elements go by index: `pushes.0.start_s=2`, `gait={type: hop}`. A key that the file lacks is
-/// added (the reader refuses unknown ones); a list is not lengthened.
-/// Throws ConfigError: `--set a.b=c: error: ...`. Errors that the reader later finds in the new
-/// value read the same way.
-void ApplyOverride(const std::string& assignment, ConfigTree* root);
+/// added (the reader refuses unknown ones); a list is not lengthened. Old names of keys, in the
+/// path and in the value, become their present ones, with a note. Throws ConfigError: `--set a.b=c:
+/// error: ...`. Errors that the reader later finds in the new value read the same way.
+void ApplyOverride(const std::string& assignment, ConfigTree* root, const NoteSink& note = {});
 
 }  // namespace sidestep

@@ -39,13 +39,15 @@ void CheckName(const ConfigNode& node) {
 }
 
 // Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's.
-void ReadRobotControl(const std::filesystem::path& robot_file, ControlParams* control) {
-  const ConfigTree root = ReadConfigFile(robot_file);
+void ReadRobotControl(const std::filesystem::path& robot_file, const NoteSink& note,
+                      ControlParams* control) {
+  ConfigTree root = ReadConfigFile(robot_file);
+  RenameOldKeys(&root, note);
   ConfigMap map(root, "");
   if (const auto defaults = map.Optional("control")) ReadFields(*defaults, *control);
 }
 
-void ReadRobot(const ConfigNode& node, Scenario* scenario) {
+void ReadRobot(const ConfigNode& node, const NoteSink& note, Scenario* scenario) {
   const bool is_from_file = node.tree().place.source->is_file;
   const std::filesystem::path folder = is_from_file ? scenario->file.parent_path() : "";
   const std::filesystem::path robot_file = FindRobot(scenario->robot, folder);
@@ -54,7 +56,7 @@ void ReadRobot(const ConfigNode& node, Scenario* scenario) {
               DidYouMean(scenario->robot, ShippedRobots(), "robots that ship"));
   }
   scenario->description_of_robot = ReadRobotDescription(robot_file);
-  ReadRobotControl(robot_file, &scenario->control);
+  ReadRobotControl(robot_file, note, &scenario->control);
 }
 
 void ReadBasics(ConfigMap& map, Scenario* scenario) {
@@ -91,17 +93,18 @@ class SectionReader {
 
 }  // namespace
 
-Scenario ReadScenario(const std::filesystem::path& file,
-                      const std::vector<std::string>& overrides) {
+Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                      const NoteSink& note) {
   ConfigTree root = ReadConfigFile(file);
   ConfigMap map(root, "");
-  for (const std::string& assignment : overrides) ApplyOverride(assignment, &root);
+  RenameOldKeys(&root, note);
+  for (const std::string& assignment : overrides) ApplyOverride(assignment, &root, note);
 
   Scenario scenario;
   scenario.file = file;
   ReadVersion(map);
   ReadBasics(map, &scenario);
-  ReadRobot(map.Required("robot"), &scenario);
+  ReadRobot(map.Required("robot"), note, &scenario);
   const std::size_t foot_count = scenario.description_of_robot.feet.size();
   Scenario::VisitSections(scenario, SectionReader(&map, foot_count));
   map.RejectUnknownKeys();

@@ -43,7 +43,7 @@ bool PlanItems(const CheckArguments& arguments, std::vector<CheckItem>* items) {
   const bool may_replace = arguments.is_forced || !arguments.has_out_dir;
   for (const auto& file : FindScenarios(arguments.paths)) {
     try {
-      const std::string name = ReadScenario(file, arguments.overrides).name;
+      const std::string name = ReadScenario(file, arguments.overrides, PrintNote).name;
       const auto [first, is_new] = file_of_name.emplace(name, file);
       if (!is_new) {
         throw ConfigError(file.string() + ": error: " + first->second.string() +

@@ -41,6 +41,9 @@ void AddSolveCommand(CLI::App& app, int& exit_code);
 /// Adds `--set a.b=c`, repeatable; each takes one value, so a path may follow.
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
 
+/// Prints a line to stderr: what a reader notes although nothing is wrong.
+void PrintNote(const std::string& note);
+
 /// The words of this process's command line, for summary.json.
 std::vector<std::string> CommandWords();
 

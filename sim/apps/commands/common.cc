@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What several commands share.
 
+#include <cstdio>
 #include <fstream>
 #include <string>
 
@@ -16,6 +17,8 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
       ->take_all()
       ->allow_extra_args(false);
 }
+
+void PrintNote(const std::string& note) { std::fprintf(stderr, "%s\n", note.c_str()); }
 
 std::vector<std::string> CommandWords() {
   std::ifstream in("/proc/self/cmdline", std::ios::binary);

@@ -93,7 +93,8 @@ int ExitCodeOf(VerdictClass verdict_class) {
 }
 
 int Run(const RunArguments& arguments) {
-  const Scenario scenario = ReadScenario(FindScenario(arguments.scenario), arguments.overrides);
+  const Scenario scenario =
+      ReadScenario(FindScenario(arguments.scenario), arguments.overrides, PrintNote);
   const fs::path out_dir =
       arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir;
   PrepareOutFolder(out_dir, arguments.is_forced);

@@ -20,7 +20,7 @@ int Validate(const ValidateArguments& arguments) {
   int exit_code = kExitPass;
   for (const auto& file : FindScenarios(arguments.paths)) {
     try {
-      ReadScenario(file, arguments.overrides);
+      ReadScenario(file, arguments.overrides, PrintNote);
       std::printf("ok: %s\n", file.c_str());
     } catch (const ConfigError& error) {
       std::fprintf(stderr, "%s\n", error.what());
