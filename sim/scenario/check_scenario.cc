@@ -70,16 +70,37 @@ void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
   }
 }
 
-/// Whether the robot can do and feel what the control block asks of it. On the centroidal plant the
-/// mode means nothing: the MPC's forces act.
-void CheckAbilities(const Scenario& scenario, const ConfigTree& root) {
+/// Whether the robot can be moved in the mode that the control block asks for. On the centroidal
+/// plant the MPC's forces act: a mode that moves joints means nothing there, and one is only
+/// refused that the scenario itself asks for, for `torque` is every scenario's default.
+void CheckMode(const Scenario& scenario, const ConfigTree& root) {
   const RobotDescription& robot = scenario.description_of_robot;
-  const bool has_body = scenario.plant == Plant::kMujoco;
-  if (scenario.control.mode == ControlMode::kPosition && has_body && robot.joints.empty()) {
+  const ControlMode mode = scenario.control.mode;
+  const bool has_servos = !robot.joints.empty();
+  if (scenario.plant == Plant::kCentroidal) {
+    if (mode != ControlMode::kPosition) return;
+    FailAtEither(root, "control.mode", "plant",
+                 "= position means nothing on the centroidal plant, which has no joints; leave it "
+                 "out");
+  }
+  if (mode == ControlMode::kPosition && !has_servos) {
     FailAtEither(root, "control.mode", "robot",
                  "= position needs a robot with servos, which '" + scenario.robot +
                      "' lacks; write mode: torque");
   }
+  const auto is_flat = [](const FootDescription& foot) { return foot.vertices_m.cols() > 1; };
+  if (mode == ControlMode::kTorque && std::any_of(robot.feet.begin(), robot.feet.end(), is_flat)) {
+    FailAtEither(root, "control.mode", "robot",
+                 "= torque needs a robot on point feet, and '" + scenario.robot +
+                     "' has flat ones; write " +
+                     (has_servos ? "mode: position" : "plant: centroidal"));
+  }
+}
+
+/// Whether the robot can feel what the control block asks of it.
+void CheckSenses(const Scenario& scenario, const ConfigTree& root) {
+  const RobotDescription& robot = scenario.description_of_robot;
+  const bool has_body = scenario.plant == Plant::kMujoco;
   const bool estimates = scenario.control.external_wrench == ExternalWrenchKnowledge::kEstimated;
   if (estimates && (!has_body || robot.arm_force_torque.empty())) {
     FailAtEither(root, "control.external_wrench", "robot",
@@ -159,7 +180,8 @@ void CheckPushes(const Scenario& scenario, const ConfigTree& root) {
 
 void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
   CheckPlant(scenario, root);
-  CheckAbilities(scenario, root);
+  CheckMode(scenario, root);
+  CheckSenses(scenario, root);
   CheckRates(scenario, root);
   CheckMpc(scenario.control.mpc, root);
   CheckGaits(scenario, root);

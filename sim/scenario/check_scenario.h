@@ -7,10 +7,9 @@
 
 namespace sidestep {
 
-/// Checks that the robot suits plant, control and gaits, that pushes name its parts and end in
-/// time, that rates are whole numbers of physics steps, that boxes are not empty and the back end
-/// exists. `root` is the tree the scenario was read from; throws ConfigError at the offending
-/// place.
+/// Checks that the robot suits plant, mode, sensing and gaits, that pushes name its parts and end
+/// in time, that rates are whole numbers of physics steps and that boxes are not empty.
+/// `root` is the tree the scenario was read from; throws ConfigError at the offending place.
 void CheckScenario(const Scenario& scenario, const ConfigTree& root);
 
 }  // namespace sidestep

@@ -57,6 +57,10 @@ void ReadRobot(const ConfigNode& node, const NoteSink& note, Scenario* scenario)
   }
   scenario->description_of_robot = ReadRobotDescription(robot_file);
   ReadRobotControl(robot_file, note, &scenario->control);
+  // The centroidal plant has no joints: a robot's servos must not stand in a scenario's way there.
+  ControlMode& mode = scenario->control.mode;
+  const bool has_joints = scenario->plant != Plant::kCentroidal;
+  if (mode == ControlMode::kPosition && !has_joints) mode = ControlParams().mode;
 }
 
 void ReadBasics(ConfigMap& map, Scenario* scenario) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/scenario/write_scenario.h"
 #include "tests/unit/scenario/scenario_fixture.h"
 
 namespace sidestep::check_scenario_test {
@@ -39,8 +40,68 @@ TEST_F(CheckScenarioTest, PositionControlNeedsServos) {
   EXPECT_EQ(ErrorOfEdit("mode: torque", "mode: position"),
             "a.yaml:8:9: error: control.mode = position needs a robot with servos, which 'mini' "
             "lacks; write mode: torque");
-  EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.mode=position")), "no error")
-      << "there the MPC's forces act";
+}
+
+TEST_F(CheckScenarioTest, PositionMeansNothingOnTheCentroidalPlant) {
+  EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.mode=position")),
+            "--set control.mode=position: error: control.mode = position means nothing on the "
+            "centroidal plant, which has no joints; leave it out");
+  EXPECT_EQ(ErrorIn(Edit(valid_, "mode: torque", "mode: position"), kWalker),
+            "a.yaml:8:9: error: control.mode = position means nothing on the centroidal plant, "
+            "which has no joints; leave it out");
+  EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.mode=passive")), "no error");
+  EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.mode=torque")), "no error")
+      << "what a run's scenario.yaml says by default";
+}
+
+// The robot's default is for its servos; the scenario did not ask for them.
+TEST_F(CheckScenarioTest, ARobotsDefaultModeDoesNotReachTheCentroidalPlant) {
+  folder_.Write("robot.yaml",
+                "sidestep_robot: 1\nname: point\nmass_kg: 2.0\ncom_height_m: 0.5\n"
+                "feet:\n  - {name: foot, vertices_m: [[0, 0, 0]]}\ncontrol: {mode: position}\n");
+  const std::string text =
+      "sidestep: 1\nname: a\nrobot: robot.yaml\nplant: centroidal\nduration_s: 1\n";
+  ASSERT_EQ(ErrorIn(text), "no error");
+  EXPECT_EQ(Read(text).control.mode, ControlMode::kTorque);
+  EXPECT_EQ(ErrorIn(ResolvedYaml(Read(text))), "no error") << "what a run leaves can be read again";
+  EXPECT_EQ(ErrorIn(text + "control: {mode: position}\n"),
+            "a.yaml:6:17: error: control.mode = position means nothing on the centroidal plant, "
+            "which has no joints; leave it out");
+}
+
+TEST_F(CheckScenarioTest, TorqueControlNeedsPointFeet) {
+  const auto flat = [&] {
+    std::filesystem::copy_file(FixtureRobots() / "mini/mini.xml", folder_.path() / "mini.xml",
+                               std::filesystem::copy_options::overwrite_existing);
+    folder_.Write("robot.yaml",
+                  "sidestep_robot: 1\nname: flat\nmjcf: mini.xml\nbase: trunk\nimu: imu\n"
+                  "com_height_m: 0.45\nbase_height_m: 0.5\nfeet:\n  - {name: foot, frame: foot, "
+                  "vertices_m: [[0.05, 0, 0], [-0.05, 0, 0]]}\n");
+    return Edit(valid_, "robot: mini", "robot: robot.yaml");
+  };
+  EXPECT_EQ(ErrorIn(flat()),
+            "a.yaml:8:9: error: control.mode = torque needs a robot on point feet, and "
+            "'robot.yaml' has flat ones; write plant: centroidal");
+  EXPECT_EQ(ErrorIn(Edit(flat(), "  mode: torque\n", "")),
+            "a.yaml:3:8: error: control.mode = torque needs a robot on point feet, and "
+            "'robot.yaml' has flat ones; write plant: centroidal")
+      << "the mode is a default: the robot is to blame";
+  EXPECT_EQ(ErrorIn(Edit(flat(), "mode: torque", "mode: passive")), "no error");
+}
+
+TEST_F(CheckScenarioTest, ARobotWithServosOnFlatFeetIsToldOfPositionControl) {
+  Scenario scenario = Read(valid_);
+  const ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", valid_));
+  const auto error = [&] { return folder_.ErrorOf([&] { CheckScenario(scenario, root); }); };
+  scenario.description_of_robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0},
+                                          {"leg", 100.0, 1.0, 5.0, 1.0}};
+  EXPECT_EQ(error(), "no error") << "servos alone do no harm to torque control";
+  scenario.description_of_robot.feet[0].vertices_m.setZero(3, 4);
+  EXPECT_EQ(error(),
+            "a.yaml:8:9: error: control.mode = torque needs a robot on point feet, and 'mini' has "
+            "flat ones; write mode: position");
+  scenario.control.mode = ControlMode::kPosition;
+  EXPECT_EQ(error(), "no error");
 }
 
 TEST_F(CheckScenarioTest, EstimatedWrenchNeedsSensorsInTheArms) {
