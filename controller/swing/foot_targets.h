@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// foot_targets: where every foot is meant to be now: on its foothold while it stands, on its swing
+// while it flies, and on its way down while the schedule has it stand and nothing is felt.
+//
+// In : contact plan and belief of this tick.     Out: FootTarget of every foot, but its forces.
+
+#include <vector>
+
+#include "controller/swing/swing_foot.h"
+#include "controller/types/contact_plan.h"
+#include "controller/types/control_tick.h"
+#include "controller/types/gait_params.h"
+#include "controller/types/robot_state.h"
+#include "controller/types/tick.h"
+
+namespace sidestep {
+
+/// When a foot that the schedule has on the ground counts as standing there.
+enum class StandingRule {
+  kWhenFelt,     ///< Once its contact is felt; until then it goes on downwards.
+  kAsScheduled,  ///< At once: the centroidal plant's feet are where the command puts them.
+};
+
+class FootTargets {
+ public:
+  /// @param gait  By start_s, the first at 0: a swing has the shape of the gait it begins in.
+  FootTargets(std::size_t num_feet, std::vector<GaitParams> gait, StandingRule rule, double tick_s);
+
+  /// Writes contact, planned_contact and motion of every foot; forces stay as they are. Every foot
+  /// stands before the first call. Call every control tick with ascending ticks.
+  /// @param plan  The current or next contact of each foot comes first.
+  /// @param feet  One a foot, those of the last call.
+  void Update(const RobotState& state, const ContactPlan& plan, Tick tick,
+              std::vector<FootTarget>* feet);
+
+ private:
+  SwingShape ShapeAt(Tick tick) const;
+  void UpdateFoot(const FootState& state, Tick tick, SwingFoot* swing, FootTarget* target) const;
+
+  std::vector<GaitParams> gait_;
+  StandingRule rule_;
+  double tick_s_;
+  std::vector<SwingFoot> swing_;
+};
+
+}  // namespace sidestep

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/swing/foot_targets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "models/support/require.h"
+
+namespace sidestep::foot_targets_test {
+namespace {
+
+constexpr double kTick_s = 0.001;
+constexpr Tick kLiftOff = 100;
+constexpr Tick kLanding = 500;
+
+GaitParams Gait(double start_s, double swing_height_m, double landing_speed_mps) {
+  GaitParams gait;
+  gait.start_s = start_s;
+  gait.swing_height_m = swing_height_m;
+  gait.landing_speed_mps = landing_speed_mps;
+  return gait;
+}
+
+const std::vector<GaitParams> kGaits{Gait(0.0, 0.05, 0.1), Gait(0.3, 0.09, 0.2)};
+
+PlannedContact Contact(int index, Tick start, Tick end, const Eigen::Vector3d& p_WF) {
+  PlannedContact contact;
+  contact.index = index;
+  contact.start_tick = start;
+  contact.end_tick = end;
+  contact.adjusted_p_WF = p_WF;
+  return contact;
+}
+
+// One foot that stands at (0, 0), flies from tick 100 to 500 and stands at (0.2, 0) from then on.
+class OneStep {
+ public:
+  explicit OneStep(StandingRule rule) : targets_(1, kGaits, rule, kTick_s), feet_(1) {
+    feet_[0].planned_contact = true;
+    feet_[0].vertex_force_N.setConstant(3, 1, 7.0);
+    state_.feet.resize(1);
+    state_.feet[0].p_WF = {0.01, 0.02, 0.0};  // a little off where it was planned
+  }
+
+  // Moves on to `tick`, the foot felt on the ground where `felt` says so.
+  FootTarget At(Tick tick, bool felt) {
+    ContactPlan plan;
+    plan.feet.resize(1);
+    if (tick < kLiftOff) plan.feet[0].push_back(Contact(0, 0, kLiftOff, {0.0, 0.0, 0.0}));
+    plan.feet[0].push_back(Contact(1, kLanding, 9999, {0.2, 0.0, 0.0}));
+    state_.feet[0].in_contact = felt;
+    targets_.Update(state_, plan, tick, &feet_);
+    return feet_[0];
+  }
+
+  // Flies from tick 100 on and returns the highest it was meant to be before `end`.
+  double FlyUntil(Tick end) {
+    At(kLiftOff - 1, true);
+    double highest_m = 0.0;
+    for (Tick tick = kLiftOff; tick < end; ++tick) {
+      highest_m = std::max(highest_m, At(tick, false).p_WF.z());
+    }
+    return highest_m;
+  }
+
+ private:
+  FootTargets targets_;
+  RobotState state_;
+  std::vector<FootTarget> feet_;
+};
+
+TEST(FootTargetsTest, AStandingFootRestsOnItsFoothold) {
+  const FootTarget foot = OneStep(StandingRule::kWhenFelt).At(50, true);
+  EXPECT_TRUE(foot.planned_contact);
+  EXPECT_EQ(foot.p_WF, Eigen::Vector3d(0.0, 0.0, 0.0));
+  EXPECT_EQ(foot.v_WF.norm() + foot.a_WF.norm(), 0.0);
+  EXPECT_EQ(foot.contact.index, 0);
+}
+
+TEST(FootTargetsTest, ASwingBeginsWhereTheFootIsBelievedNotWhereItWasPlanned) {
+  OneStep step(StandingRule::kWhenFelt);
+  step.At(kLiftOff - 1, true);
+  const FootTarget foot = step.At(kLiftOff, true);
+  EXPECT_FALSE(foot.planned_contact);
+  EXPECT_EQ(foot.contact.index, 1);
+  EXPECT_LT((foot.p_WF - Eigen::Vector3d(0.01, 0.02, 0.0)).norm(), 1e-12);
+}
+
+TEST(FootTargetsTest, ASwingHasTheShapeOfTheGaitItBeginsInToItsEnd) {
+  // The higher gait begins at 0.3 s, the apex of the swing: it is the next swing's.
+  EXPECT_NEAR(OneStep(StandingRule::kWhenFelt).FlyUntil(kLanding), 0.05, 1e-9);
+}
+
+TEST(FootTargetsTest, AFootThatIsDueButNotFeltGoesOnDown) {
+  OneStep step(StandingRule::kWhenFelt);
+  step.FlyUntil(kLanding);
+  step.At(kLanding, false);
+  const FootTarget foot = step.At(kLanding + 50, false);
+  EXPECT_TRUE(foot.planned_contact);
+  EXPECT_NEAR(foot.p_WF.z(), -0.1 * 0.05, 1e-9);  // 0.1 m/s for 50 ms
+  EXPECT_NEAR(foot.v_WF.z(), -0.1, 1e-9);
+}
+
+TEST(FootTargetsTest, AFootThatIsDueAndFeltStands) {
+  OneStep step(StandingRule::kWhenFelt);
+  step.FlyUntil(kLanding);
+  const FootTarget foot = step.At(kLanding, true);
+  EXPECT_EQ(foot.p_WF, Eigen::Vector3d(0.2, 0.0, 0.0));
+  EXPECT_EQ(foot.v_WF.norm(), 0.0);
+}
+
+TEST(FootTargetsTest, ByTheOtherRuleAFootStandsAsSoonAsItIsDue) {
+  OneStep step(StandingRule::kAsScheduled);
+  step.FlyUntil(kLanding);
+  const FootTarget foot = step.At(kLanding, false);
+  EXPECT_EQ(foot.p_WF, Eigen::Vector3d(0.2, 0.0, 0.0));
+  EXPECT_EQ(foot.v_WF.norm(), 0.0);
+}
+
+TEST(FootTargetsTest, ForcesAreSomebodyElses) {
+  OneStep step(StandingRule::kWhenFelt);
+  step.FlyUntil(kLanding);
+  EXPECT_EQ(step.At(kLanding, true).vertex_force_N(2, 0), 7.0);
+}
+
+TEST(FootTargetsTest, FeetOfAnotherNumberAreABrokenContract) {
+  FootTargets targets(2, kGaits, StandingRule::kWhenFelt, kTick_s);
+  std::vector<FootTarget> one(1);
+  EXPECT_THROW(targets.Update({}, {}, 0, &one), ContractViolation);
+}
+
+}  // namespace
+}  // namespace sidestep::foot_targets_test
