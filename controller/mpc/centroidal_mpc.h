@@ -10,6 +10,7 @@
 #include "controller/mpc/problem/centroidal_solver.h"
 #include "controller/mpc/problem_builder.h"
 #include "controller/types/control_tick.h"
+#include "models/support/clone_ptr.h"
 
 namespace sidestep::mpc {
 
@@ -78,7 +79,7 @@ class CentroidalMpc {
   Tick step_ticks_;
   Tick latency_ticks_;
   ProblemBuilder builder_;
-  SolverValue solver_;
+  ClonePtr<CentroidalSolver> solver_;
   std::deque<Plan> plans_;            // as many as are in use or waiting at once; never move
   std::vector<std::size_t> waiting_;  // of plans_: younger than the latency, oldest first
   std::size_t newest_{kNone};         // of plans_: last usable solution, the next warm start

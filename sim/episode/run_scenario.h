@@ -26,6 +26,8 @@ struct RunResult {
 };
 
 /// Runs and judges. Throws ConfigError if a file can't be written or the robot does not compile.
-RunResult RunScenario(const Scenario& scenario, const RunOptions& options);
+/// @param make_controller  Who controls the robot; by default whom the scenario asks for.
+RunResult RunScenario(const Scenario& scenario, const RunOptions& options,
+                      const ControllerFactory& make_controller = MakeController);
 
 }  // namespace sidestep

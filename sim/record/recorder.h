@@ -4,7 +4,7 @@
 //
 // In : truth and ControlTick of every control tick, then the outcome.
 // Out: scenario.yaml, trajectory.csv, states.bin, mpc.csv as it goes; footsteps.csv and
-//      summary.json at the end. run_reader.h reads them back.
+//      summary.json at the end. run_reader.h and run_summary.h read them back.
 // A run that is cut short leaves whole rows; summary.json appears complete or not at all.
 
 #include <filesystem>

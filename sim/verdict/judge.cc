@@ -100,6 +100,8 @@ Judge::Judge(const Scenario& scenario, double mass_kg, const std::vector<JointIn
   SIDESTEP_REQUIRE(mass_kg > 0.0, mass_kg);
 }
 
+Judge::Judge(const Judge& other) : state_(std::make_unique<State>(*other.state_)) {}
+Judge::Judge(Judge&&) noexcept = default;
 Judge::~Judge() = default;
 
 void Judge::Add(Tick tick, const WorldTruth& truth, const ControlTick* control) {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/locomotion_controller.h"
+#include "controller/make_controller.h"
 #include "sim/episode/run_scenario.h"
 #include "sim/plot/plot_run.h"
 #include "sim/render/render_run.h"
@@ -33,11 +33,6 @@ Scenario PushScenario() {
       std::string(SIDESTEP_SOURCE_DIR) + "/scenarios/hopper_push.yaml",
       {"duration_s=4.0", "expect={fall: false}",
        "pushes=[{body: trunk, force_N: [5, 0, 0], start_s: 2.0, duration_s: 0.5}]"});
-}
-
-LocomotionSetup SetupOf(const Scenario& scenario) {
-  return {scenario.description_of_robot, scenario.control,   scenario.gait, false,
-          scenario.world.step_s,         scenario.duration_s};
 }
 
 double Elapsed_us(Clock::time_point start) {
@@ -61,10 +56,10 @@ void BM_PhysicsStep(benchmark::State& state) {
   const std::unique_ptr<World> world = MakeWorld(scenario);
   StageTimer timer;
   SensorSuite sensors = MakeSensorSuite(scenario, world->mass_kg());
-  LocomotionController controller(SetupOf(scenario), &timer);
+  const std::unique_ptr<Controller> controller = MakeController(SetupOf(scenario), &timer);
   Tick tick = 0;
   for (; tick < 200; ++tick) {  // settle on the floor: a typical contact, not a fall
-    if (tick % 2 == 0) world->Apply(controller.Update(sensors.Read(world->truth(), tick)).command);
+    if (tick % 2 == 0) world->Apply(controller->Update(sensors.Read(world->truth(), tick)).command);
     world->Step(tick);
   }
   for (auto _ : state) world->Step(tick++);
@@ -82,13 +77,13 @@ void BM_ControlTick(benchmark::State& state) {
     const std::unique_ptr<World> world = MakeWorld(scenario);
     StageTimer timer;
     SensorSuite sensors = MakeSensorSuite(scenario, world->mass_kg());
-    LocomotionController controller(SetupOf(scenario), &timer);
+    const std::unique_ptr<Controller> controller = MakeController(SetupOf(scenario), &timer);
     double total_us = 0.0;
     for (Tick tick = 0; tick < TickAt(kRunDuration_s, scenario.world.step_s); ++tick) {
       if (tick % control_period == 0) {
         const SensorFrame frame = sensors.Read(world->truth(), tick);
         const Clock::time_point start = Clock::now();
-        const ControlTick& control = controller.Update(frame);
+        const ControlTick& control = controller->Update(frame);
         if ((tick % mpc_period == 0) == with_mpc) {
           sample_us.push_back(Elapsed_us(start));
           total_us += sample_us.back();

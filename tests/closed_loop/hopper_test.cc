@@ -4,12 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/support/closed_loop.h"
+#include "tests/support/run_files.h"
 
 namespace sidestep {
 namespace {
@@ -20,27 +19,6 @@ const std::string kTenTimesThePush =
     "pushes=[{body: trunk, force_N: [50, 0, 0], start_s: 2.0, duration_s: 0.5}]";
 const std::vector<std::string> kNoStepAdjustment{"control.mpc.box_lower_m=[0, 0, 0]",
                                                  "control.mpc.box_upper_m=[0, 0, 0]"};
-
-// A trajectory's text without the columns that a clock wrote.
-std::string WithoutWallClock(const std::filesystem::path& csv) {
-  std::ifstream in(csv);
-  std::string header;
-  std::getline(in, header);
-  std::vector<bool> kept;
-  std::stringstream names(header);
-  for (std::string name; std::getline(names, name, ',');)
-    kept.push_back(!name.starts_with("wall_"));
-  std::string text;
-  for (std::string line; std::getline(in, line);) {
-    std::stringstream cells(line);
-    std::size_t column = 0;
-    for (std::string cell; std::getline(cells, cell, ',');) {
-      if (kept[column++]) text += cell + ",";
-    }
-    text += "\n";
-  }
-  return text;
-}
 
 TEST(HopperTest, HopsInPlaceAndTravels) {
   const ClosedLoopRun run("hopper_hop");

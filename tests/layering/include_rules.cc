@@ -48,7 +48,10 @@ bool EndsWith(const std::string& text, std::string_view suffix) {
          text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
-bool IsInController(const std::string& path) { return StartsWith(path, "controller/"); }
+// The example is a program with a console of its own.
+bool IsInController(const std::string& path) {
+  return StartsWith(path, "controller/") && !StartsWith(path, "controller/example/");
+}
 
 const Room* RoomOf(const std::vector<Room>& rooms, const std::string& folder) {
   const auto found = std::find_if(rooms.begin(), rooms.end(),

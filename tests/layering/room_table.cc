@@ -19,6 +19,7 @@ const Folders kTypes{"controller/types", "models/support"};
 const Folders kChain{"controller/types",   "controller/model", "controller/estimator",
                      "controller/planner", "controller/mpc",   "controller/swing",
                      "controller/wbc"};
+const Folders kDoor{"controller/controller.h", "controller/make_controller.h"};
 const Folders kScenario = kRobot + Folders{"controller/types", "sim/scenario"};
 const Folders kWorld = kScenario + Folders{"sim/world"};
 // What shows or checks a run afterwards: it reads folders of runs and may start programs.
@@ -38,7 +39,7 @@ std::vector<Room> ControllerRooms() {
       {"controller/types", {}},
       {"controller/model", kTypes + kRobot, true},
       {"controller/estimator", kTypes + Folders{"controller/model"}},
-      {"controller/planner", kTypes},
+      {"controller/planner", kTypes + Folders{"controller/model/upright.h"}},
       {"controller/mpc/problem", kTypes},
       {"controller/mpc/ipopt", kTypes + Folders{"controller/mpc/problem"}},
       {"controller/mpc/structured", kTypes + Folders{"controller/mpc/problem"}},
@@ -48,7 +49,7 @@ std::vector<Room> ControllerRooms() {
       {"controller/swing", kTypes},
       {"controller/wbc/qp", kTypes},
       {"controller/wbc", kTypes + Folders{"controller/model", "controller/wbc/qp"}},
-      {"controller", kChain + kRobot},
+      {"controller", kChain + kRobot + Folders{"controller/mpc/problem"}},
   };
 }
 
@@ -61,9 +62,8 @@ std::vector<Room> SimRooms() {
       {"sim/sensors", kWorld, true},
       {"sim/verdict", kWorld},
       {"sim/record", kWorld + Folders{"sim/verdict"}},
-      {"sim/episode", kWorld + kChain +
-                          Folders{"controller", "controller/mpc/problem", "sim/sensors",
-                                  "sim/record", "sim/verdict"}},
+      // A controller is what stands behind its door: the loop knows none of its parts.
+      {"sim/episode", kWorld + kDoor + Folders{"sim/sensors", "sim/record", "sim/verdict"}},
       {"sim/process", kSupport},
       {"sim/render", kTools, true},
       {"sim/plot", kTools},
@@ -74,6 +74,8 @@ std::vector<Room> SimRooms() {
                         "sim/plot", "sim/report", "sim/check"},
        true},
       {"sim/apps", kSupport + Folders{"sim/episode/interrupt.h", "sim/apps/commands"}, true},
+      // A program of a user's own, beside ours.
+      {"controller/example", kScenario + kDoor + Folders{"sim/episode"}},
   };
 }
 

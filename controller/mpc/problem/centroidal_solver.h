@@ -32,23 +32,4 @@ class CentroidalSolver {
   virtual std::unique_ptr<CentroidalSolver> Clone() const = 0;
 };
 
-/// A CentroidalSolver held as a value, so that its owner can be copied: a copy has a clone.
-class SolverValue {
- public:
-  explicit SolverValue(std::unique_ptr<CentroidalSolver> solver) : solver_(std::move(solver)) {}
-  SolverValue(const SolverValue& other) : solver_(other.solver_->Clone()) {}
-  SolverValue(SolverValue&&) = default;
-  SolverValue& operator=(const SolverValue& other) {
-    solver_ = other.solver_->Clone();
-    return *this;
-  }
-  SolverValue& operator=(SolverValue&&) = default;
-  ~SolverValue() = default;
-
-  CentroidalSolver* operator->() { return solver_.get(); }
-
- private:
-  std::unique_ptr<CentroidalSolver> solver_;
-};
-
 }  // namespace sidestep::mpc

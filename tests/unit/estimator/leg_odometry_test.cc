@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "sim/world/make_world.h"
-#include "tests/support/control_loop.h"
 #include "tests/support/hopper_scenario.h"
+#include "tests/support/watched_controller.h"
 
 namespace sidestep::leg_odometry_test {
 namespace {
@@ -158,14 +158,14 @@ TEST(LegOdometryOnMujocoTest, TumblingFreelyItFollowsThePerfectSensors) {
 
 Errors ErrorsInClosedLoop(double duration_s) {
   Errors errors;
-  RunControlLoop(HoppingHopper(), duration_s,
-                 [&](Tick, const SensorFrame& frame, LocomotionController* controller,
-                     const WorldTruth& truth) -> const ControlTick& {
-                   const ControlTick& control = controller->Update(frame);
-                   errors.Add(control.state, truth);
-                   EXPECT_FALSE(truth.body_touches_ground);
-                   return control;
-                 });
+  RunWatched(HoppingHopper(), duration_s,
+             [&](const SensorFrame& frame, Controller* controller,
+                 const WorldTruth& truth) -> const ControlTick& {
+               const ControlTick& control = controller->Update(frame);
+               errors.Add(control.state, truth);
+               EXPECT_FALSE(truth.body_touches_ground);
+               return control;
+             });
   return errors;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tests/support/allocation_counter.h"
-#include "tests/support/control_loop.h"
 #include "tests/support/hopper_scenario.h"
+#include "tests/support/watched_controller.h"
 
 namespace sidestep::control_tick_allocation_test {
 namespace {
@@ -31,20 +31,21 @@ TEST(ControlTickAllocationTest, TheCounterSeesEigenAndTheStandardLibrary) {
 
 void ExpectNoAllocation(const Scenario& scenario) {
   int counted = 0, in_stance = 0;
-  RunControlLoop(scenario, kWarmUp_s + kCounted_s,
-                 [&](Tick tick, const SensorFrame& frame, LocomotionController* controller,
-                     const WorldTruth&) -> const ControlTick& {
-                   const std::int64_t before = CountAllocations();
-                   const ControlTick& control = controller->Update(frame);
-                   const std::int64_t taken = CountAllocations() - before;
-                   const bool is_warm = SecondsAt(tick, scenario.world.step_s) >= kWarmUp_s;
-                   if (is_warm && !control.mpc.ran) {
-                     EXPECT_EQ(taken, 0) << "at tick " << tick;
-                     ++counted;
-                     in_stance += control.feet[0].planned_contact ? 1 : 0;
-                   }
-                   return control;
-                 });
+  RunWatched(scenario, kWarmUp_s + kCounted_s,
+             [&](const SensorFrame& frame, Controller* controller,
+                 const WorldTruth&) -> const ControlTick& {
+               const Tick tick = frame.tick;
+               const std::int64_t before = CountAllocations();
+               const ControlTick& control = controller->Update(frame);
+               const std::int64_t taken = CountAllocations() - before;
+               const bool is_warm = SecondsAt(tick, scenario.world.step_s) >= kWarmUp_s;
+               if (is_warm && !control.mpc.ran) {
+                 EXPECT_EQ(taken, 0) << "at tick " << tick;
+                 ++counted;
+                 in_stance += control.feet[0].planned_contact ? 1 : 0;
+               }
+               return control;
+             });
   EXPECT_GT(counted, 100);
   EXPECT_GT(in_stance, 50);
   EXPECT_GT(counted - in_stance, 50) << "stance and flight";

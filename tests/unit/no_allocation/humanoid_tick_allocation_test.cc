@@ -7,7 +7,7 @@
 
 #include "sim/scenario/read_scenario.h"
 #include "tests/support/allocation_counter.h"
-#include "tests/support/control_loop.h"
+#include "tests/support/watched_controller.h"
 
 namespace sidestep::humanoid_tick_allocation_test {
 namespace {
@@ -48,19 +48,20 @@ TEST(HumanoidTickAllocationTest, WalkingAndPushedIcubTakesNoMemoryInAnyTick) {
   ASSERT_EQ(scenario.control.mode, ControlMode::kPosition);
   ASSERT_EQ(scenario.control.mpc.backend, MpcBackend::kStructured);
   Counted counted;
-  RunControlLoop(scenario, kWarmUp_s + kCounted_s,
-                 [&](Tick tick, const SensorFrame& frame, LocomotionController* controller,
-                     const WorldTruth& truth) -> const ControlTick& {
-                   const std::int64_t before = CountAllocations();
-                   const ControlTick& control = controller->Update(frame);
-                   const std::int64_t taken = CountAllocations() - before;
-                   EXPECT_FALSE(truth.body_touches_ground) << "fell";
-                   if (SecondsAt(tick, scenario.world.step_s) >= kWarmUp_s) {
-                     EXPECT_EQ(taken, 0) << "at tick " << tick;
-                     counted.Add(control);
-                   }
-                   return control;
-                 });
+  RunWatched(scenario, kWarmUp_s + kCounted_s,
+             [&](const SensorFrame& frame, Controller* controller,
+                 const WorldTruth& truth) -> const ControlTick& {
+               const Tick tick = frame.tick;
+               const std::int64_t before = CountAllocations();
+               const ControlTick& control = controller->Update(frame);
+               const std::int64_t taken = CountAllocations() - before;
+               EXPECT_FALSE(truth.body_touches_ground) << "fell";
+               if (SecondsAt(tick, scenario.world.step_s) >= kWarmUp_s) {
+                 EXPECT_EQ(taken, 0) << "at tick " << tick;
+                 counted.Add(control);
+               }
+               return control;
+             });
   EXPECT_EQ(counted.ticks, 360);
   EXPECT_EQ(counted.solves, 36);
   EXPECT_GT(counted.on_left, 100);

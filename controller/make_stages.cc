@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/make_stages.h"
+
+#include "controller/estimator/leg_odometry.h"
+#include "controller/estimator/truth_estimator.h"
+#include "controller/wbc/inverse_dynamics.h"
+#include "controller/wbc/inverse_kinematics.h"
+
+namespace sidestep {
+
+mpc::RobotModel PlannedRobot(const RobotDescription& robot, double mass_kg,
+                             const Eigen::Vector3d& gravity_mps2) {
+  mpc::RobotModel model;
+  model.mass_kg = mass_kg;
+  model.gravity_mps2 = gravity_mps2;
+  for (const FootDescription& foot : robot.feet) {
+    model.foot_names.push_back(foot.name);
+    model.vertices_m.push_back(foot.vertices_m);
+  }
+  return model;
+}
+
+std::unique_ptr<StateEstimator> MakeEstimator(const ControllerSetup& setup, const RigidBody& body) {
+  const EstimatorParams& params = setup.control.estimation;
+  const double dt_s = 1.0 / setup.control.rate_hz;
+  const ExternalWrenchKnowledge knowledge = setup.control.external_wrench;
+  if (setup.control.estimator == EstimatorKind::kTruth) {
+    return std::make_unique<TruthEstimator>(setup.robot, params, knowledge, dt_s, body);
+  }
+  return std::make_unique<LegOdometry>(setup.robot, params, knowledge, dt_s, body);
+}
+
+std::unique_ptr<wbc::WholeBody> MakeWholeBody(const ControllerSetup& setup, const RigidBody& body) {
+  if (setup.control.mode == ControlMode::kPosition) {
+    return std::make_unique<wbc::InverseKinematics>(setup.robot, setup.control.inverse_kinematics,
+                                                    1.0 / setup.control.rate_hz);
+  }
+  return std::make_unique<wbc::InverseDynamics>(setup.robot, setup.control.inverse_dynamics, body);
+}
+
+}  // namespace sidestep

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/motion_chain.h"
+
+#include "controller/mpc/problem/ocp_json.h"
+#include "controller/planner/momentum_reference.h"
+
+namespace sidestep {
+namespace {
+
+GaitPlanner MakePlanner(const ControllerSetup& setup) {
+  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()),
+                              setup.robot.com_height_m,
+                              setup.robot.feet.front().sole_height_m,
+                              setup.control.mpc.box_lower_m,
+                              setup.control.mpc.box_upper_m,
+                              setup.control.planner.com_sway};
+  const Tick horizon = (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
+  const Tick end = TickAt(setup.duration_s, setup.tick_s) + 2 * horizon;
+  return GaitPlanner(BuildNominalGait(setup.gait, geometry, end, setup.tick_s),
+                     setup.control.planner, horizon, setup.tick_s);
+}
+
+std::vector<FootTarget> StandingFeet(const RobotDescription& robot) {
+  std::vector<FootTarget> feet(robot.feet.size());
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    feet[i].planned_contact = true;
+    feet[i].vertex_force_N.setZero(3, robot.feet[i].vertices_m.cols());
+  }
+  return feet;
+}
+
+}  // namespace
+
+MotionChain::MotionChain(const ControllerSetup& setup, const mpc::RobotModel& robot,
+                         StandingRule rule)
+    : params_(setup.control.mpc),
+      tick_s_(setup.tick_s),
+      mpc_period_(TickAt(1.0 / params_.rate_hz, tick_s_)),
+      planner_(MakePlanner(setup)),
+      mpc_(params_, robot, tick_s_),
+      foot_targets_(setup.robot.feet.size(), setup.gait, rule, tick_s_),
+      feet_(StandingFeet(setup.robot)) {
+  references_.p_WC.setZero(3, params_.knots + 1);
+  references_.angular_momentum.setZero(3, params_.knots + 1);
+}
+
+const ContactPlan& MotionChain::Schedule(const RobotState& state, Tick tick, StageTimer* timer) {
+  const ScopedStage stage(timer, Stage::kPlanner);
+  return planner_.Update(state, tick);
+}
+
+const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3d& momentum,
+                                   Tick tick, StageTimer* timer) {
+  report_.ran = false;
+  if (SolvesAt(tick)) {
+    const ScopedStage stage(timer, Stage::kMpc);
+    SampleReferences(momentum, tick);
+    mpc_.Solve(state, planner_.plan(), references_, tick);
+    report_ = mpc_.report();
+  }
+  if (mpc_.Activate(tick)) {  // the chain's one arrow back: what was planned is where feet will go
+    for (const mpc::Foothold& foothold : mpc_.footholds()) {
+      planner_.SetAdjusted(foothold.foot, foothold.index, foothold.p_WF);
+    }
+    planner_.Update(state, tick);
+  }
+  if (mpc_.has_plan()) com_ = mpc_.ComAt(tick);
+  return com_;
+}
+
+void MotionChain::SampleReferences(const Eigen::Vector3d& momentum, Tick tick) {
+  const Tick step = TickAt(params_.step_s, tick_s_);
+  for (int k = 0; k <= params_.knots; ++k) {
+    references_.p_WC.col(k) = planner_.ReferenceAt(tick + k * step).p_WC;
+  }
+  FillMomentumReference(momentum, params_.attitude_rate_radps, params_.step_s,
+                        &references_.angular_momentum);
+}
+
+const std::vector<FootTarget>& MotionChain::TargetFeet(const RobotState& state, Tick tick,
+                                                       StageTimer* timer) {
+  const ScopedStage stage(timer, Stage::kSwing);
+  foot_targets_.Update(state, planner_.plan(), tick, &feet_);
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    FootTarget& foot = feet_[i];
+    if (mpc_.has_plan() && foot.planned_contact) {
+      foot.vertex_force_N = mpc_.ForceAt(i, tick);
+    } else {
+      foot.vertex_force_N.setZero();
+    }
+    foot.force_N = foot.vertex_force_N.rowwise().sum();
+  }
+  return feet_;
+}
+
+void MotionChain::WriteTo(ControlTick* tick) const {
+  tick->reference = planner_.ReferenceAt(tick->tick);
+  tick->com = com_;
+  tick->feet = feet_;
+  tick->mpc = report_;
+  tick->mpc_age_s = mpc_.Age_s(tick->tick);
+}
+
+std::string MotionChain::LastProblemJson(const std::string& name) const {
+  nlohmann::json problem = mpc::ToJson(mpc_.problem());
+  problem["name"] = name;
+  return problem.dump(1) + "\n";
+}
+
+}  // namespace sidestep

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// motion_chain: the links of the control chain that know no joints:
+//
+//   state -> schedule (planner) -> plan (MPC) -> feet (swing)
+//
+// What is before it (an estimator) and after it (a whole-body control, or the bare forces) makes a
+// controller of it; see locomotion_controller.cc and centroidal_controller.cc. Each link keeps its
+// answer until its next call and reports to the stage timer.
+
+#include <string>
+#include <vector>
+
+#include "controller/controller.h"
+#include "controller/mpc/centroidal_mpc.h"
+#include "controller/planner/gait_planner.h"
+#include "controller/swing/foot_targets.h"
+
+namespace sidestep {
+
+class MotionChain {
+ public:
+  /// @param robot  What the MPC must know of the robot.
+  /// @param rule   When a scheduled foot counts as standing.
+  MotionChain(const ControllerSetup& setup, const mpc::RobotModel& robot, StandingRule rule);
+
+  /// First link: contacts and CoM reference from `tick` on. Call every control tick.
+  const ContactPlan& Schedule(const RobotState& state, Tick tick, StageTimer* timer);
+
+  /// Whether the MPC solves at `tick`.
+  bool SolvesAt(Tick tick) const { return tick % mpc_period_ == 0; }
+
+  /// Second link: solves the MPC if it is due, takes the newest plan that is old enough into use
+  /// and hands its footholds back to the planner. Call every control tick.
+  /// @param momentum  Angular momentum about C to follow from now on (kg m^2/s, in W): see
+  ///                  momentum_reference.h. Read only where SolvesAt(tick).
+  /// @return          CoM motion that the plan in use implies at `tick`.
+  const ComTarget& Plan(const RobotState& state, const Eigen::Vector3d& momentum, Tick tick,
+                        StageTimer* timer);
+
+  /// Third link: where the feet are meant to be, with the plan's forces on those that stand. Call
+  /// every control tick.
+  const std::vector<FootTarget>& TargetFeet(const RobotState& state, Tick tick, StageTimer* timer);
+
+  /// For the log: writes what the three links decided for `tick->tick` into it.
+  void WriteTo(ControlTick* tick) const;
+
+  /// The last MPC problem as JSON; see Controller::LastProblemJson.
+  std::string LastProblemJson(const std::string& name) const;
+
+ private:
+  void SampleReferences(const Eigen::Vector3d& momentum, Tick tick);
+
+  MpcParams params_;
+  double tick_s_;
+  Tick mpc_period_;
+  GaitPlanner planner_;
+  mpc::CentroidalMpc mpc_;
+  mpc::GridReferences references_;
+  FootTargets foot_targets_;
+  MpcReport report_;
+  ComTarget com_;
+  std::vector<FootTarget> feet_;
+};
+
+}  // namespace sidestep

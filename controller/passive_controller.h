@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// passive_controller: does nothing. The negative control of every scenario.
+
+#include <memory>
+
+#include "controller/controller.h"
+
+namespace sidestep {
+
+/// Commands zero torque, or zero force on the centroidal plant; believes and plans nothing.
+class PassiveController final : public Controller {
+ public:
+  explicit PassiveController(const ControllerSetup& setup);
+
+  const ControlTick& Update(const SensorFrame& frame) override;
+  std::unique_ptr<Controller> Clone(StageTimer* timer) const override;
+
+ private:
+  bool is_centroidal_;
+  ControlTick tick_;
+};
+
+}  // namespace sidestep
