@@ -104,8 +104,8 @@ TEST_F(ExternalWrenchTest, PlantWithoutSensorsFeelsNothingAndMayBeTold) {
   frame_.known_external_wrench = said_;
   ExternalWrench feeling(ExternalWrenchKnowledge::kEstimated);
   EXPECT_EQ(FeedPushed(&feeling, {40.0, 0.0, 0.0}, arms_).force_N, Eigen::Vector3d::Zero());
-  ExternalWrench told(ExternalWrenchKnowledge::kKnown);
-  EXPECT_EQ(Feed(&told, 1, arms_).force_N, said_.force_N);
+  ExternalWrench informed(ExternalWrenchKnowledge::kKnown);
+  EXPECT_EQ(Feed(&informed, 1, arms_).force_N, said_.force_N);
 }
 
 }  // namespace

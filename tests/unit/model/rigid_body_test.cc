@@ -257,26 +257,6 @@ TEST(RigidBodyHopperTest, AngularVelocityIsInTheBaseAndLinearVelocityInTheWorld)
   EXPECT_LT((body.feet()[0].v_WF - Eigen::Vector3d(0.0, 0.0, 1.5)).norm(), kRounding);
 }
 
-TEST(RigidBodyHopperTest, ImuMovesWithItsSite) {
-  const TempFolder folder;
-  RigidBody body(CrookedRobot(folder));
-  RobotState state;
-  state.joint_position.setZero(body.num_actuators());
-  state.joint_velocity.setZero(body.num_actuators());
-  state.p_WB = {1.0, 2.0, 3.0};
-  state.v_WB = {0.5, 0.0, 0.0};
-  state.w_WB_B = {0.0, 0.0, 2.0};
-  body.Update(state);
-  const Eigen::Vector3d p_BU(0.05, 0.02, -0.04);
-  EXPECT_LT((body.imu().p_WU - state.p_WB - p_BU).norm(), kRounding);
-  EXPECT_LT(Eigen::Quaterniond(body.imu().R_WU)
-                .angularDistance(Eigen::Quaterniond(0.8, 0.36, -0.48, 0.0)),
-            1e-7);
-  // By hand: (0.5, 0, 0) + (0, 0, 2) x (0.05, 0.02, -0.04) = (0.46, 0.1, 0).
-  EXPECT_LT((body.imu().v_WU - Eigen::Vector3d(0.46, 0.1, 0.0)).norm(), kRounding);
-  EXPECT_LT((body.imu().w_WU - state.w_WB_B).norm(), kRounding);
-}
-
 TEST(RigidBodyHopperTest, NamesThatTheMjcfLacksAreConfigErrors) {
   const auto error_of = [](auto&& spoil) -> std::string {
     RobotDescription robot = Hopper();

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "controller/types/friction_pyramid.h"
 #include "tests/support/icub3_stance.h"
 #include "tests/support/reference_robot.h"
 
@@ -27,16 +26,6 @@ TEST(FootWrenchTest, ForceAheadOfASoleThatIsTurnedLeftTurnsAboutX) {
   // 8 N along x, 0.05 m to the right of F: 0.4 Nm about z.
   wrench << 8.0, 0.0, 30.0, 3.0, 0.0, 0.4;
   EXPECT_LT((FootWrench(R_WF, vertices_m, force_N) - wrench).norm(), kRounding);
-}
-
-TEST(FrictionPyramidTest, HoldsWhatTheSumOfTheSidesAllows) {
-  const auto excess = [](const Eigen::Vector3d& force_N) {
-    return (FrictionPyramid(0.5) * force_N).maxCoeff();
-  };
-  EXPECT_LE(excess({2.0, -2.9, 10.0}), 0.0);
-  EXPECT_GT(excess({2.0, -3.1, 10.0}), 0.0);
-  EXPECT_GT(excess({-3.1, 2.0, 10.0}), 0.0);
-  EXPECT_GT(excess({0.0, 0.0, -1.0}), 0.0) << "the ground does not pull";
 }
 
 class ContactForcesTest : public testing::Test {
