@@ -14,10 +14,9 @@ GaitPlanner MakePlanner(const ControllerSetup& setup) {
                               setup.control.mpc.box_lower_m,
                               setup.control.mpc.box_upper_m,
                               setup.control.planner.com_sway};
-  const Tick horizon = (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
-  const Tick end = TickAt(setup.duration_s, setup.tick_s) + 2 * horizon;
-  return GaitPlanner(BuildNominalGait(setup.gait, geometry, end, setup.tick_s),
-                     setup.control.planner, horizon, setup.tick_s);
+  const Tick horizon =
+      (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
+  return {{setup.gait, geometry, setup.tick_s}, setup.control.planner, horizon};
 }
 
 std::vector<FootTarget> StandingFeet(const RobotDescription& robot) {
@@ -60,9 +59,8 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
   }
   if (mpc_.Activate(tick)) {  // the chain's one arrow back: what was planned is where feet will go
     for (const mpc::Foothold& foothold : mpc_.footholds()) {
-      planner_.SetAdjusted(foothold.foot, foothold.index, foothold.p_WF);
+      planner_.AdoptFoothold(foothold.foot, foothold.index, foothold.p_WF);
     }
-    planner_.Update(state, tick);
   }
   if (mpc_.has_plan()) com_ = mpc_.ComAt(tick);
   return com_;

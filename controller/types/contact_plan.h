@@ -11,8 +11,11 @@ namespace sidestep {
 
 /// One stay of a foot on the ground, in absolute ticks: start <= tick < end.
 struct PlannedContact {
-  int index{0};  ///< Counts this foot's contacts from 0 over the whole episode.
+  int index{0};             ///< Counts this foot's contacts from 0 over the whole episode.
+  bool end_is_known{true};  ///< False: nothing ends it as far as the plan goes.
   Tick start_tick{0};
+  /// If its end is not known: a tick beyond the plan. Not an std::optional, for `tick < end_tick`
+  /// would compile with that, and be false.
   Tick end_tick{0};
   Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d nominal_p_WF{Eigen::Vector3d::Zero()};   ///< What the gait planner wants.

@@ -61,7 +61,7 @@ struct GaitParams {
 
 /// Where nominal footholds go once the robot was pushed off its path.
 enum class FollowMode {
-  kPath,         ///< They stay where the gait put them, or where a recovery led.
+  kPath,         ///< They stay where the gait puts them.
   kCapturePoint  ///< They move with the capture point at each landing, then drift back.
 };
 
@@ -71,33 +71,11 @@ struct EnumNames<FollowMode> {
       {{FollowMode::kPath, "path"}, {FollowMode::kCapturePoint, "capture_point"}}};
 };
 
-/// Steps that the gait does not have, taken when the feet can no longer hold the robot.
-struct RecoveryParams {
-  bool enabled{false};
-  double margin_m{0.02};
-  double swing_s{0.4};
-  double double_support_s{0.1};
-  int steps{3};
-
-  template <typename Self, typename Visitor>
-  static void VisitFields(Self& self, Visitor&& visit) {
-    visit("enabled", self.enabled,
-          "whether a standing robot steps when its feet can no longer hold it");
-    visit("margin_m", self.margin_m, Range{-0.5, 0.5},
-          "how near the capture point may come to the edge of the soles before it steps");
-    visit("swing_s", self.swing_s, Range{0.05, 5.0}, "a recovery step's time in the air");
-    visit("double_support_s", self.double_support_s, Range{0.0, 5.0},
-          "time with both feet on the ground between recovery steps");
-    visit("steps", self.steps, Range{1.0, 20.0}, "recovery steps before the gait goes on");
-  }
-};
-
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
   double path_return_m{0.05};
   double min_step_width_m{0.0};
   double com_sway{0.0};
-  RecoveryParams recovery;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -111,7 +89,6 @@ struct PlannerParams {
     visit("com_sway", self.com_sway, Range{0.0, 1.0},
           "where the CoM reference is in the middle of a swing: this share of the way from the "
           "path to the standing foot (0, as in the paper: on the path)");
-    visit("recovery", self.recovery, "steps that the gait does not have");
   }
 };
 

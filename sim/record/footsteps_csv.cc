@@ -2,6 +2,7 @@
 #include "sim/record/footsteps_csv.h"
 
 #include <cmath>
+#include <limits>
 
 #include "controller/types/tick.h"
 #include "sim/record/output_file.h"
@@ -33,7 +34,9 @@ std::string FootstepsCsv(const std::vector<FootstepRecord>& footsteps,
     text.append(feet.at(static_cast<std::size_t>(step.foot)));
     AppendCell(contact.index, text);
     AppendCell(SecondsAt(contact.start_tick, tick_s), text);
-    AppendCell(SecondsAt(contact.end_tick, tick_s), text);
+    AppendCell(contact.end_is_known ? SecondsAt(contact.end_tick, tick_s)
+                                    : std::numeric_limits<double>::infinity(),
+               text);
     AppendCells(contact.nominal_p_WF, text);
     AppendCells(contact.adjusted_p_WF, text);
     if (step.realised_p_WF) {

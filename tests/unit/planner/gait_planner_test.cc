@@ -11,7 +11,6 @@ namespace sidestep::gait_planner_test {
 namespace {
 
 constexpr Tick kHorizon = 1000;
-constexpr Tick kEnd = 10000;
 // Hopping in place: stance from 500 + 400 k to 750 + 400 k.
 constexpr Tick kFirstLanding = 900;
 constexpr Tick kHop = 400;
@@ -27,8 +26,7 @@ PlannerParams Follow(FollowMode mode, double path_return_m = 0.03) {
 GaitPlanner Hopping(const PlannerParams& params, double step_length_m = 0.0) {
   GaitParams hop = Stretch(GaitType::kHop, 0.5);
   hop.step_length_m = step_length_m;
-  return {BuildNominalGait({Stretch(GaitType::kStand, 0.0), hop}, Geometry(1), kEnd, kTick_s),
-          params, kHorizon, kTick_s};
+  return {SetupOf({Stretch(GaitType::kStand, 0.0), hop}, 1), params, kHorizon};
 }
 
 /// A robot where the hopper in place should be, its foot in the air.
@@ -71,8 +69,7 @@ TEST(GaitPlannerTest, PlanHoldsWhatEndsAfterNowAndBeginsWithinTheHorizon) {
 TEST(GaitPlannerTest, FootInTheAirBeyondTheHorizonStillHasItsNextContact) {
   GaitParams hop = Stretch(GaitType::kHop, 0.0);
   hop.flight_s = 2.0;
-  GaitPlanner planner(BuildNominalGait({hop}, Geometry(1), kEnd, kTick_s),
-                      Follow(FollowMode::kPath), 100, kTick_s);
+  GaitPlanner planner(SetupOf({hop}, 1), Follow(FollowMode::kPath), 100);
   const auto& contacts = planner.Update(OnPath(), 300).feet[0];
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].start_tick, 2250);
@@ -169,7 +166,7 @@ TEST(GaitPlannerTest, AdjustedFootholdStaysUntilTheNextDecision) {
   GaitPlanner planner = Hopping(Follow(FollowMode::kCapturePoint));
   const Eigen::Vector3d decided(0.07, -0.02, kSoleHeight_m);
   planner.Update(OnPath(), 100);
-  planner.SetAdjusted(0, 1, decided);
+  planner.AdoptFoothold(0, 1, decided);
   for (Tick tick = 100; tick < kFirstLanding; tick += 10) {
     for (const PlannedContact& contact : planner.Update(OffPath(), tick).feet[0]) {
       if (contact.index == 1) {
@@ -181,7 +178,7 @@ TEST(GaitPlannerTest, AdjustedFootholdStaysUntilTheNextDecision) {
   // It lands unseen by the sensors: still the decided place.
   EXPECT_EQ(planner.Update(OnPath(), kFirstLanding).feet[0][0].adjusted_p_WF, decided);
   const Eigen::Vector3d changed = decided + Eigen::Vector3d(0.01, 0.0, 0.0);
-  planner.SetAdjusted(0, 2, changed);
+  planner.AdoptFoothold(0, 2, changed);
   EXPECT_EQ(planner.Update(OnPath(), kFirstLanding + 1).feet[0][1].adjusted_p_WF, changed);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// planner_test_support: gaits of one and two feet at ticks of 1 ms.
+// planner_test_support: gaits of one and two feet at ticks of 1 ms, and who stands when in them.
 
 #include <vector>
 
+#include "controller/planner/gait_generator.h"
 #include "controller/planner/nominal_gait.h"
 
 namespace sidestep {
@@ -29,10 +30,26 @@ inline GaitParams Stretch(GaitType type, double start_s) {
   return gait;
 }
 
+inline GaitSetup SetupOf(const std::vector<GaitParams>& segments, int num_feet) {
+  return {segments, Geometry(num_feet), kTick_s};
+}
+
+/// The support that `tick` lies in, of a gait that nothing disturbs.
+inline GaitSupport SupportAt(const GaitSetup& setup, Tick tick) {
+  GaitSupport support = StandingSupport(setup);
+  for (auto next = NextSupport(setup, support); next && next->tick <= tick;) {
+    support = *next;
+    next = NextSupport(setup, support);
+  }
+  return support;
+}
+
 /// The contact that `foot` stands in at `tick`, or null.
 inline const NominalContact* ContactAt(const NominalGait& gait, std::size_t foot, Tick tick) {
   for (const NominalContact& nominal : gait.feet[foot]) {
-    if (nominal.contact.start_tick <= tick && tick < nominal.contact.end_tick) return &nominal;
+    const PlannedContact& contact = nominal.contact;
+    const bool has_ended = contact.end_is_known && contact.end_tick <= tick;
+    if (contact.start_tick <= tick && !has_ended) return &nominal;
   }
   return nullptr;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "controller/planner/gait_planner.h"
 #include "tests/unit/planner/planner_test_support.h"
 
 namespace sidestep::sideways_gait_test {
@@ -112,12 +111,13 @@ TEST(SidewaysWalkTest, LengthAndSideAdvanceTogether) {
 }
 
 TEST(SidewaysWalkTest, ReferenceGoesAsideAtTheGaitsMeanSpeed) {
-  const GaitPlanner planner(Aside(GaitType::kWalk, 0.03), {}, 1000, kTick_s);
+  const NominalGait gait = Aside(GaitType::kWalk, 0.03);
+  const auto reference_at = [&](Tick tick) { return NominalComAt(gait, tick, kTick_s); };
   // From the middle of one double support to that of the next: a step of 0.03 m in 0.8 s.
   for (const Tick middle : {2700, 3500, 4300}) {
-    const double from_m = planner.ReferenceAt(middle).p_WC.y();
-    EXPECT_NEAR(planner.ReferenceAt(middle + 800).p_WC.y() - from_m, 0.03, kRounding) << middle;
-    EXPECT_NEAR(planner.ReferenceAt(middle).v_WC.y(), 0.03 / 0.8, kRounding) << middle;
+    const double from_m = reference_at(middle).p_WC.y();
+    EXPECT_NEAR(reference_at(middle + 800).p_WC.y() - from_m, 0.03, kRounding) << middle;
+    EXPECT_NEAR(reference_at(middle).v_WC.y(), 0.03 / 0.8, kRounding) << middle;
   }
 }
 

@@ -24,9 +24,7 @@ class StepWidthTest : public testing::Test {
   ContactPlan PlanAt(Tick tick) {
     GaitParams walk = Stretch(GaitType::kWalk, 1.0);
     walk.step_length_m = 0.0;
-    GaitPlanner planner(
-        BuildNominalGait({Stretch(GaitType::kStand, 0.0), walk}, Geometry(2), 8000, kTick_s),
-        params_, 3000, kTick_s);
+    GaitPlanner planner(SetupOf({Stretch(GaitType::kStand, 0.0), walk}, 2), params_, 3000);
     ContactPlan plan = planner.Update(state_, 0);
     for (Tick now = 100; now <= tick; now += 100) {
       state_.feet[0].in_contact = now < 1200 || now >= 1800;
@@ -124,8 +122,7 @@ TEST_F(StepWidthTest, WidthThatIsKeptAnywayChangesNothing) {
 TEST(StepWidthOfOneFootTest, HopperHasNoWidth) {
   PlannerParams params;
   params.min_step_width_m = 0.5;
-  GaitPlanner planner(BuildNominalGait({Stretch(GaitType::kHop, 0.0)}, Geometry(1), 8000, kTick_s),
-                      params, 1000, kTick_s);
+  GaitPlanner planner(SetupOf({Stretch(GaitType::kHop, 0.0)}, 1), params, 1000);
   RobotState state;
   state.feet.resize(1);
   for (const PlannedContact& contact : planner.Update(state, 0).feet[0]) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/planner/capture_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/types/gravity.h"
+
+namespace sidestep {
+
+double PendulumTimeConstant_s(double height_m) {
+  return std::sqrt(std::max(height_m, 0.1) / kGravity_mps2);
+}
+
+Eigen::Vector3d CapturePointError(const RobotState& state, const ComReference& nominal) {
+  const double time_constant_s = PendulumTimeConstant_s(nominal.p_WC.z());
+  Eigen::Vector3d error = state.p_WC - nominal.p_WC + time_constant_s * (state.v_WC - nominal.v_WC);
+  error.z() = 0.0;
+  return error;
+}
+
+}  // namespace sidestep
