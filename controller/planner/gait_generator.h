@@ -4,7 +4,7 @@
 //
 // Pure functions over values, deterministic. Who keeps a GaitSupport and takes NextSupport() of it
 // at each touch-down walks along the gait; nothing knows how long the episode lasts. To ask for
-// another course of things edit the support first.
+// another course of things edit the support first (schedule_edits.h).
 
 #include <optional>
 

@@ -42,7 +42,7 @@ class GaitPlanner {
   /// is felt, and a contact that is not in the plan is passed over.
   void AdoptFoothold(int foot, int index, const Eigen::Vector3d& p_WF);
 
-  /// Goes on from `support` (an edit of support()) instead; plan() with it.
+  /// Goes on from `support` (an edit of support(), see schedule_edits.h) instead; plan() with it.
   /// Decided footholds stay with contacts whose nominal place stays.
   void Adopt(const GaitSupport& support);
 
@@ -59,7 +59,7 @@ class GaitPlanner {
   /// contacts.
   ComReference ReferenceAt(Tick tick) const { return NominalComAt(schedule_, tick, setup_.tick_s); }
 
-  /// Where the gait is, and the setup it goes on from.
+  /// Where the gait is, and the setup it goes on from: what schedule_edits.h begins with.
   const GaitSupport& support() const { return support_; }
   const GaitSetup& setup() const { return setup_; }
 

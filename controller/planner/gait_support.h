@@ -4,7 +4,7 @@
 //
 // A support lasts from one touch-down to the next (a stand's from its begin to its end). It tells
 // which feet stand where since when, which one steps next, where the path is, and, where that is
-// not for the gait's segments to say, what has been ordered to come next.
+// not for the gait's segments to say, what has been ordered to come next (schedule_edits.h).
 
 #include <array>
 #include <optional>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A planner that walks takes no memory.
+// A planner that walks, and is asked for other courses of things at every tick, takes no memory.
 #include <gtest/gtest.h>
 
 #include "controller/planner/gait_planner.h"
+#include "controller/planner/schedule_edits.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/unit/planner/planner_test_support.h"
 
@@ -43,6 +44,34 @@ TEST(PlannerAllocationTest, WalkingTakesNoMemory) {
   }
   EXPECT_EQ(CountAllocations() - before, 0);
   EXPECT_EQ(most, 40U + 1U) << "1600 ticks of steps of 20 by two feet";
+}
+
+TEST(PlannerAllocationTest, AskingForOtherSchedulesTakesNoMemory) {
+  GaitPlanner planner(Everything(), {}, kHorizon);
+  const RobotState state = Somewhere();
+  const GaitParams walk = Stretch(GaitType::kWalk, 0.0);
+  ContactSchedule candidate;
+  planner.LayOut(planner.support(), &candidate);
+  int asked = 0;
+  const auto look = [&](const std::optional<GaitSupport>& edited) {
+    if (!edited) return;
+    planner.LayOut(*edited, &candidate);
+    ++asked;
+  };
+  const std::int64_t before = CountAllocations();
+  for (Tick tick = 0; tick < kEnd; tick += 10) {
+    planner.Update(state, tick);
+    const GaitSetup& setup = planner.setup();
+    const GaitSupport& now = planner.support();
+    for (const Tick by : {-200, -100, 100, 200}) {
+      look(MoveTouchDown(setup, now, tick, {now.sequence + 1, by}, 200));
+    }
+    look(StopNow(setup, now, tick));
+    look(StartNow(setup, now, tick, walk, 1));
+    look(StepOnTheSpot(setup, now, tick, {3, 0.02, 0.0, 0}));
+  }
+  EXPECT_EQ(CountAllocations() - before, 0);
+  EXPECT_GT(asked, kEnd / 10 * 3);
 }
 
 TEST(PlannerAllocationTest, CopyTakesItsMemoryAtItsFirstTick) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the planner is told back: footholds of the MPC.
+// What the planner is told back: footholds of the MPC, and another course of things.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "controller/planner/gait_planner.h"
+#include "controller/planner/schedule_edits.h"
 #include "tests/unit/planner/planner_test_support.h"
 
 namespace sidestep::adopted_footholds_test {
@@ -133,6 +134,45 @@ TEST(AdoptedFootholdTest, ContactThatIsNotInThePlanIsPassedOver) {
     for (const PlannedContact& contact : planner.Update(wanderer.State(), tick).feet[0]) {
       EXPECT_LT(contact.adjusted_p_WF.norm(), 5.0) << "remembered after all";
     }
+  }
+}
+
+TEST(AdoptTest, PlannerGoesOnAsTheEditSays) {
+  GaitPlanner planner = Walking(FollowMode::kPath);
+  Wanderer wanderer;
+  RobotState state = wanderer.State();
+  Tick tick = 0;
+  for (; tick <= 1000; ++tick) planner.Update(state, tick);  // the left foot is in the air
+  --tick;
+  const auto later = MoveTouchDown(planner.setup(), planner.support(), tick,
+                                   {planner.support().sequence + 1, 70}, 200);
+  ASSERT_TRUE(later.has_value());
+  ContactSchedule laid_out;
+  planner.LayOut(*later, &laid_out);
+  const Tick was = planner.plan().feet[0].front().start_tick;
+  EXPECT_EQ(laid_out.feet[0].front().contact.start_tick, was + 70);
+  EXPECT_EQ(planner.plan().feet[0].front().start_tick, was) << "only asked";
+  planner.Adopt(*later);
+  EXPECT_EQ(planner.plan().feet[0].front().start_tick, was + 70);
+  planner.Update(state, was + 10);
+  EXPECT_GT(planner.plan().feet[0].front().start_tick, was) << "still in the air";
+  planner.Update(state, was + 70);
+  EXPECT_EQ(planner.support().tick, was + 70);
+}
+
+TEST(AdoptTest, DecisionStaysIfThePlaceStaysAndGoesWithIt) {
+  for (const bool stops : {false, true}) {
+    GaitPlanner planner = Walking(FollowMode::kPath);
+    Wanderer wanderer;
+    for (Tick tick = 0; tick <= 1000; ++tick) planner.Update(wanderer.State(), tick);
+    const int next = planner.plan().feet[0].front().index;
+    const Eigen::Vector3d decided(0.12, 0.09, 0.0);
+    planner.AdoptFoothold(0, next, decided);
+    planner.Adopt(stops ? StopNow(planner.setup(), planner.support(), 1000)
+                        : *MoveTouchDown(planner.setup(), planner.support(), 1000, {1, 20}, 200));
+    const PlannedContact& contact = planner.plan().feet[0].front();
+    ASSERT_EQ(contact.index, next);
+    EXPECT_EQ(contact.adjusted_p_WF, stops ? contact.nominal_p_WF : decided);
   }
 }
 
