@@ -24,7 +24,10 @@ clean_up() {
 trap clean_up EXIT
 step() { printf '\n== %s\n' "$*"; }
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive "$@"; }
-install() { inside apt-get install -y -qq --no-install-recommends "$@" >/dev/null; }
+install() {
+  inside apt-get install -y -qq --no-install-recommends "$@" >"$work/apt.log" 2>&1 ||
+    { tail "$work/apt.log"; fail "apt-get install $*"; }
+}
 
 # from_folder FOLDER COMMAND...: in the root, as a user in a folder.
 from_folder() { inside sh -c 'cd "$1" && shift && exec "$@"' sh "$@"; }
@@ -49,11 +52,12 @@ debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$work/debootstrap.log
   { tail "$work/debootstrap.log"; fail "debootstrap"; }
 mount -t proc proc "$root/proc"
 mkdir "$root/packages" "$root/elsewhere"
-cp "$work"/packages/*.deb "$root/packages/"
+cp "$work"/packages/sidestep_*.deb "$root/packages/sidestep.deb"
+cp "$work"/packages/sidestep-dev_*.deb "$root/packages/sidestep-dev.deb"
 
 step "installing sidestep"
 inside apt-get update -qq
-install /packages/sidestep_*.deb
+install /packages/sidestep.deb
 [[ ! -e "$root$source_dir" ]] || fail "the root has a source tree"
 
 step "running it without ffmpeg and gnuplot, from any folder"
@@ -71,7 +75,7 @@ expect 0 "video" from_folder /elsewhere sidestep run hopper_hop --set duration_s
 [[ -s "$root/elsewhere/renders/hopper_hop/video.mp4" ]] || fail "no video"
 
 step "building against sidestep-dev"
-install g++ cmake ninja-build /packages/sidestep-dev_*.deb
+install g++ cmake ninja-build /packages/sidestep-dev.deb
 # build_and_run FOLDER: copies a CMake project of its own into the root, builds it there and runs
 # each program that it makes.
 build_and_run() {
