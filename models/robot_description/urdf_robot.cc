@@ -32,9 +32,10 @@ std::vector<std::string> NamesOfJoints(const UrdfParts& urdf,
 double ReadLimit(ConfigMap& map, const std::string& key, double of_urdf, const std::string& joint) {
   const auto node = map.Optional(key);
   const double limit = node ? node->Number(0.0, kMaxLimit) : of_urdf;
-  if (limit > 0.0) return limit;
-  if (node) node->Fail("must be greater than 0");
-  map.Fail("needs " + key + ", because the URDF has none for '" + joint + "'");
+  const bool is_good = limit > 0.0;
+  if (!is_good && node) node->Fail("must be greater than 0");
+  if (!is_good) map.Fail("needs " + key + ", because the URDF has none for '" + joint + "'");
+  return limit;
 }
 
 /// One group of `joints`: the same numbers for all its names.

@@ -21,14 +21,13 @@ fs::path ProgramFolder() {
 fs::path DataFolder() {
   const char* from_environment = std::getenv("SIDESTEP_DATA_DIR");
   if (from_environment != nullptr && *from_environment != '\0') return from_environment;
-  const fs::path system = "/usr/share/sidestep";
   for (const fs::path& place :
        {(ProgramFolder() / "../share/sidestep").lexically_normal(), fs::path(SIDESTEP_SOURCE_TREE),
         fs::path("/usr/local/share/sidestep")}) {
     std::error_code ignored;
     if (fs::is_directory(place / "models", ignored)) return place;
   }
-  return system;
+  return "/usr/share/sidestep";
 }
 
 }  // namespace sidestep

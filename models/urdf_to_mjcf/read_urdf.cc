@@ -6,6 +6,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
@@ -67,12 +68,10 @@ class TreeReader {
       for (Frame& frame : above) frame.X_BF = X_LC.inverse() * frame.X_BF;
       link = link->child_links[0];
     }
-    UrdfTree tree;
-    tree.base = NewBody(*link);
-    tree.base.frames = above;
-    tree_ = &tree;
-    AddLink(*link, Eigen::Isometry3d::Identity(), &tree.base);
-    return tree;
+    tree_.base = NewBody(*link);
+    tree_.base.frames = above;
+    AddLink(*link, Eigen::Isometry3d::Identity(), &tree_.base);
+    return std::move(tree_);
   }
 
  private:
@@ -144,7 +143,7 @@ class TreeReader {
       info.velocity_radps = joint.limits->velocity;
     }
     if (joint.dynamics) info.damping_Nms_per_rad = joint.dynamics->damping;
-    tree_->joints.push_back(info);
+    tree_.joints.push_back(info);
     if (std::find(locked_joints_.begin(), locked_joints_.end(), joint.name) !=
         locked_joints_.end()) {
       return std::nullopt;
@@ -210,7 +209,7 @@ class TreeReader {
 
   std::string file_;
   const std::vector<std::string>& locked_joints_;
-  UrdfTree* tree_{nullptr};
+  UrdfTree tree_;
 };
 
 }  // namespace
