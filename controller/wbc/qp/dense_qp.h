@@ -66,7 +66,7 @@ struct DenseQpView {
       : H(H_), g(g_), A(A_), b(b_), C(C_), lower(lower_), upper(upper_) {}
 
   /// Implicit on purpose: an owned problem is passed as it is. Valid while `problem` lives.
-  DenseQpView(const DenseQpProblem& problem)
+  DenseQpView(const DenseQpProblem& problem)  // NOLINT(google-explicit-constructor)
       : DenseQpView(problem.H, problem.g, problem.A, problem.b, problem.C, problem.lower,
                     problem.upper) {}
 
