@@ -128,7 +128,7 @@ Eigen::VectorXd JsonNode::Numbers(std::size_t size) const {
 Eigen::Vector3d JsonNode::Vector3() const { return Numbers(3); }
 
 Eigen::Vector3d JsonNode::Weights3() const {
-  const Eigen::Vector3d weights = Vector3();
+  Eigen::Vector3d weights = Vector3();
   if (weights.minCoeff() < 0.0) {
     Fail("three numbers >= 0");
   }
