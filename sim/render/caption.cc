@@ -92,7 +92,7 @@ std::string Printable(const std::string& text, std::size_t max_length) {
   for (char& c : printable) {
     if (c < ' ' || c > '~') c = '?';
   }
-  if (printable.size() > max_length) printable = printable.substr(0, max_length - 2) + "..";
+  if (printable.size() > max_length) printable.replace(max_length - 2, std::string::npos, "..");
   return printable;
 }
 
