@@ -128,9 +128,9 @@ TEST(RunReaderTest, FootstepsKeepTheirOrderAndAnUnlandedOneHasNoPlace) {
 
 TEST(RunReaderTest, MissingFilesAreNamed) {
   const auto dir = FreshTestDir("nothing");
-  for (const auto& [file, read] : std::vector<std::pair<std::string, std::function<void()>>>{
-           {"states.bin", [&] { ReadStates(dir); }},
-           {"footsteps.csv", [&] { ReadFootsteps(dir); }}}) {
+  const std::vector<std::pair<std::string, std::function<void()>>> readers{
+      {"states.bin", [&] { ReadStates(dir); }}, {"footsteps.csv", [&] { ReadFootsteps(dir); }}};
+  for (const auto& [file, read] : readers) {
     EXPECT_EQ(ErrorOf(read), (dir / file).string() + ": error: can't be read");
   }
 }
