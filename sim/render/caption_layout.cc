@@ -14,7 +14,7 @@ struct TextSize {
 TextSize SizeOf(const Caption& caption, const mjrContext& renderer) {
   const int* widths = caption.is_big ? renderer.charWidthBig : renderer.charWidth;
   TextSize size;
-  for (const char c : caption.text) size.width_px += widths[static_cast<int>(c)];
+  for (const char c : caption.text) size.width_px += widths[static_cast<unsigned char>(c)];
   const int line_px = caption.is_big ? renderer.charHeightBig : renderer.charHeight;
   size.width_px += line_px;  // half a line of air on either side
   size.height_px = line_px + line_px / 2;

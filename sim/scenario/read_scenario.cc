@@ -29,7 +29,7 @@ void ReadVersion(ConfigMap& map) {
 void CheckName(const ConfigNode& node) {
   constexpr std::string_view kAllowed =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
-  const std::string name = node.Text();
+  std::string name = node.Text();
   const bool is_word = !name.empty() && name.size() <= kMaxNameLength && name[0] != '.' &&
                        name[0] != '-' && name.find_first_not_of(kAllowed) == std::string::npos;
   if (!is_word) {

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -69,7 +70,7 @@ double EvaluationTime_ms(const CentroidalOcp& ocp) {
 
 double Percentile(const std::vector<double>& sorted, double fraction) {
   const auto last = static_cast<double>(sorted.size() - 1);
-  return sorted[static_cast<std::size_t>(fraction * last + 0.5)];
+  return sorted[static_cast<std::size_t>(std::lround(fraction * last))];
 }
 
 /// A warm solve starts from the optimum of the same problem with the CoM 5 mm and its velocity
