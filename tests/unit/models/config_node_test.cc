@@ -149,7 +149,7 @@ TEST(ConfigNodeTest, RefusesWhatIsNoListOrMap) {
 TEST(ConfigNodeTest, RefusesATopLevelThatIsNoMap) {
   const ConfigTree root = ParseConfig("- a\n", {"a.yaml", true});
   try {
-    ConfigMap(root, "");
+    const ConfigMap map(root, "");
     FAIL() << "a list was taken for a map";
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(), "a.yaml:1:1: error: the file must be a map of keys, not a list");
