@@ -10,6 +10,8 @@ namespace {
 std::atomic<std::int64_t> allocations = 0;
 }  // namespace
 
+// The names are those that the linker gives what it wraps.
+// NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
@@ -33,6 +35,7 @@ int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size
   return __real_posix_memalign(memory, alignment, size);
 }
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 // Their malloc is the wrapped one: one count an allocation.
 // Not inlined: GCC would see malloc on one side of a pair only and warn of a mismatch.

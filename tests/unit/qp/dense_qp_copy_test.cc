@@ -43,6 +43,7 @@ TEST_P(DenseQpCopyTest, CopyAndOriginalSolveOnAsOneThatWasNeverCopied) {
     }
     DenseQpSolver copy(*original);
     assigned = *original;
+    ASSERT_NE(last, nullptr);
     const DenseQpSolution at_copy = *last;
     original.reset();
     const DenseQpSolution *of_copy = &at_copy, *of_assigned = &at_copy;

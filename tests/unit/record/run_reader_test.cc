@@ -26,7 +26,7 @@ std::string ErrorOf(const std::function<void()>& work) {
 }
 
 std::filesystem::path CsvFile(const std::string& text) {
-  const auto file = FreshTestDir("csv") / "table.csv";
+  auto file = FreshTestDir("csv") / "table.csv";
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
