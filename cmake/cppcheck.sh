@@ -8,4 +8,4 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 cppcheck --enable=warning,performance,portability --library=googletest --std=c++20 --inline-suppr \
   --suppress=missingIncludeSystem --suppress=unknownMacro --suppress=internalAstError \
-  --suppress=passedByValue   --error-exitcode=1 --quiet -j "$(nproc)" -I . models controller sim tests
+  --suppress=passedByValue --error-exitcode=1 --quiet -j "$(nproc)" -I . models controller sim tests

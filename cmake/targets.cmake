@@ -13,7 +13,8 @@ target_include_directories(sidestep_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sidestep>)
 # Users of the installed libraries choose their own warnings, but not how Eigen aligns: our libraries
-# are built for any x86-64, and their own -march=native would move the members of our structs.
+# are built for any x86-64, and their own -march=native would move the members of our structs and
+# free vectors in another way than we allocate them.
 target_compile_options(sidestep_options INTERFACE
   "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wdouble-promotion>"
   $<BUILD_INTERFACE:$<$<BOOL:${SIDESTEP_WERROR}>:-Werror>>
@@ -21,7 +22,8 @@ target_compile_options(sidestep_options INTERFACE
                                  -fno-sanitize-recover=undefined -fno-omit-frame-pointer>)
 target_link_options(sidestep_options INTERFACE
   $<$<BOOL:${SIDESTEP_SANITIZE}>:-fsanitize=address,undefined>)
-target_compile_definitions(sidestep_options INTERFACE $<INSTALL_INTERFACE:EIGEN_MAX_ALIGN_BYTES=16>)
+target_compile_definitions(sidestep_options INTERFACE
+  "$<INSTALL_INTERFACE:EIGEN_MAX_ALIGN_BYTES=16;EIGEN_MALLOC_ALREADY_ALIGNED=1>")
 set(CMAKE_CXX_EXTENSIONS OFF)
 
 # Headers that nearly every file reads, parsed once.
