@@ -26,8 +26,12 @@ const ContactPhase& CentroidalNlp::PhaseOf(int contact, int phase) const {
   return ocp_->contacts[static_cast<std::size_t>(contact)].phases[static_cast<std::size_t>(phase)];
 }
 
+const OcpContact& CentroidalNlp::ContactOf(const ForceSlot& slot) const {
+  return ocp_->contacts[static_cast<std::size_t>(slot.contact)];
+}
+
 int CentroidalNlp::NumVertices(const ForceSlot& slot) const {
-  return static_cast<int>(ocp_->contacts[static_cast<std::size_t>(slot.contact)].vertices_m.cols());
+  return static_cast<int>(ContactOf(slot).vertices_m.cols());
 }
 
 Eigen::Vector3d CentroidalNlp::StateOrInitial(ConstVector x, int k, int part) const {
@@ -120,9 +124,14 @@ Eigen::Vector3d CentroidalNlp::MeanForce(ConstVector x, const ForceSlot& slot) c
   return sum / num_vertices;
 }
 
+// What the symmetry cost squares: u_j - s_j sum_i u_i, with s_j sum_i u_i = (n s_j) mean.
+Eigen::Vector3d CentroidalNlp::Asymmetry(ConstVector x, const ForceSlot& slot) const {
+  return x.segment<3>(slot.column) -
+         RelativeShare(ContactOf(slot), slot.vertex) * MeanForce(x, slot);
+}
+
 Eigen::Vector3d CentroidalNlp::PreviousForce(const ForceSlot& slot) const {
-  const OcpContact& contact = ocp_->contacts[static_cast<std::size_t>(slot.contact)];
-  return contact.previous_force_N.col(slot.vertex) / ocp_->mass_kg;
+  return ContactOf(slot).previous_force_N.col(slot.vertex) / ocp_->mass_kg;
 }
 
 double CentroidalNlp::ForceCost(ConstVector x) const {
@@ -130,7 +139,7 @@ double CentroidalNlp::ForceCost(ConstVector x) const {
   double cost = 0.0;
   for (const ForceSlot& slot : layout_.slots()) {
     const Eigen::Vector3d u = x.segment<3>(slot.column);
-    cost += WeightedSquare(weights.force_symmetry, MeanForce(x, slot) - u);
+    cost += WeightedSquare(weights.force_symmetry, Asymmetry(x, slot));
     if (slot.next_slot >= 0) {
       const int next = layout_.slots()[static_cast<std::size_t>(slot.next_slot)].column;
       cost += WeightedSquare(weights.force_rate, (x.segment<3>(next) - u) / ocp_->step_s);

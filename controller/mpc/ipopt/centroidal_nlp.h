@@ -75,6 +75,9 @@ class CentroidalNlp {
   double ForceCost(ConstVector x) const;
   void ForceGradient(ConstVector x, Vector gradient) const;
   Eigen::Vector3d MeanForce(ConstVector x, const ForceSlot& slot) const;
+  Eigen::Vector3d Asymmetry(ConstVector x, const ForceSlot& slot) const;
+  Eigen::Vector3d SymmetrySlope(ConstVector x, const ForceSlot& slot) const;
+  const OcpContact& ContactOf(const ForceSlot& slot) const;
   Eigen::Vector3d PreviousForce(const ForceSlot& slot) const;
   int NumVertices(const ForceSlot& slot) const;
 

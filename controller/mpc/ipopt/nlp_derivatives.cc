@@ -25,13 +25,26 @@ void CentroidalNlp::Gradient(ConstVector x, Vector gradient) const {
   ForceGradient(x, gradient);
 }
 
+// Of half the sum of squared asymmetries e_i of a contact, in u_j: e_j - sum_i s_i e_i. As the
+// asymmetries sum to zero, equal shares make the last sum so; written as the excess over equal
+// shares it is zero without rounding.
+Eigen::Vector3d CentroidalNlp::SymmetrySlope(ConstVector x, const ForceSlot& slot) const {
+  const int num_vertices = NumVertices(slot);
+  Eigen::Vector3d excess = Eigen::Vector3d::Zero();
+  for (int i = 0; i < num_vertices; ++i) {
+    const ForceSlot& other =
+        layout_.slots()[static_cast<std::size_t>(&slot - layout_.slots().data() + i - slot.vertex)];
+    excess += (RelativeShare(ContactOf(slot), i) - 1.0) * Asymmetry(x, other);
+  }
+  return Asymmetry(x, slot) - excess / num_vertices;
+}
+
 void CentroidalNlp::ForceGradient(ConstVector x, Vector gradient) const {
   const MpcWeights& weights = ocp_->weights;
   const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
   for (const ForceSlot& slot : layout_.slots()) {
     const Eigen::Vector3d u = x.segment<3>(slot.column);
-    // The means' own derivatives cancel: deviations from a mean sum to zero.
-    Eigen::Vector3d slope = weights.force_symmetry.cwiseProduct(u - MeanForce(x, slot));
+    Eigen::Vector3d slope = weights.force_symmetry.cwiseProduct(SymmetrySlope(x, slot));
     Eigen::Vector3d jumps = Eigen::Vector3d::Zero();
     if (slot.next_slot >= 0) {
       jumps += u - x.segment<3>(layout_.slots()[static_cast<std::size_t>(slot.next_slot)].column);
@@ -147,7 +160,13 @@ template <typename Emit>
 void CentroidalNlp::VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const {
   const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(slot_index)];
   const MpcWeights& weights = ocp_->weights;
-  const double share = 1.0 / NumVertices(slot);
+  const OcpContact& contact = ContactOf(slot);
+  const double equal_share = 1.0 / NumVertices(slot);
+  // Of half the squared asymmetries in u_i and u_j: 1 (if i = j) - s_i - s_j + sum_l s_l^2.
+  const auto coupling = [&](int i, int j) {
+    return equal_share *
+           (RelativeShare(contact, i) + RelativeShare(contact, j) - MeanSquareShare(contact));
+  };
   const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
   const int num_rates = (slot.next_slot >= 0 ? 1 : 0) + (slot.previous_slot >= 0 ? 1 : 0) +
                         (slot.has_previous_force ? 1 : 0);
@@ -155,11 +174,11 @@ void CentroidalNlp::VisitForceHessian(int slot_index, double cost_factor, Emit&&
     const double rate = weights.force_rate(a) * inverse_square;
     const double symmetry = weights.force_symmetry(a);
     emit(slot.column + a, slot.column + a,
-         cost_factor * (symmetry * (1.0 - share) + num_rates * rate +
+         cost_factor * (symmetry * (1.0 - coupling(slot.vertex, slot.vertex)) + num_rates * rate +
                         (slot.is_new ? weights.new_contact_force(a) : 0.0)));
     for (int j = 0; j < slot.vertex; ++j) {  // The vertices of a contact are neighbours.
       emit(slot.column + a, slot.column + a - 3 * (slot.vertex - j),
-           -cost_factor * symmetry * share);
+           -cost_factor * symmetry * coupling(j, slot.vertex));
     }
     if (slot.previous_slot >= 0) {
       const int before = layout_.slots()[static_cast<std::size_t>(slot.previous_slot)].column;

@@ -15,6 +15,11 @@ void CheckContact(const OcpContact& contact) {
     SIDESTEP_REQUIRE(contact.previous_force_N.cols() == num_vertices,
                      contact.previous_force_N.cols());
   }
+  if (contact.force_shares.size() != 0) {
+    SIDESTEP_REQUIRE(contact.force_shares.size() == num_vertices, contact.force_shares.size());
+    const double excess = contact.force_shares.sum() - 1.0;
+    SIDESTEP_REQUIRE(!(std::abs(excess) > kShareTolerance), excess);  // NaN: see CheckShapes().
+  }
   int free_from = 0;  // The first knot that no earlier phase occupies.
   for (const ContactPhase& phase : contact.phases) {
     SIDESTEP_REQUIRE(phase.first_knot >= free_from, phase.first_knot);
@@ -37,6 +42,16 @@ bool IsFinite(const MpcWeights& weights) {
 }
 
 }  // namespace
+
+double RelativeShare(const OcpContact& contact, Eigen::Index vertex) {
+  if (contact.force_shares.size() == 0) return 1.0;
+  return static_cast<double>(contact.force_shares.size()) * contact.force_shares(vertex);
+}
+
+double MeanSquareShare(const OcpContact& contact) {
+  if (contact.force_shares.size() == 0) return 1.0;
+  return static_cast<double>(contact.force_shares.size()) * contact.force_shares.squaredNorm();
+}
 
 int ActivePhase(const OcpContact& contact, int k) {
   for (std::size_t q = 0; q < contact.phases.size(); ++q) {
@@ -73,7 +88,7 @@ bool IsFinite(const CentroidalOcp& ocp) {
                 ocp.external_torque_Nm.allFinite() && IsFinite(ocp.weights) &&
                 ocp.friction_A.allFinite() && ocp.friction_b.allFinite();
   for (const OcpContact& contact : ocp.contacts) {
-    finite = finite && contact.vertices_m.allFinite() &&
+    finite = finite && contact.vertices_m.allFinite() && contact.force_shares.allFinite() &&
              (!contact.has_previous_force || contact.previous_force_N.allFinite());
     for (const ContactPhase& phase : contact.phases) {
       finite = finite && IsFinite(phase);

@@ -12,6 +12,9 @@
 //   hp[k+1]  = hp[k] + T ( m g + F[k] + sum_ij f_ij[k] )
 //   hw[k+1]  = hw[k] + T ( tau[k] + sum_ij ( P_iq + R_iq c_ij - p[k] ) x f_ij[k] )
 //
+// Cost, half the weighted squares of: p - reference, hw - reference (k = 0..N); P - nominal, once a
+// knot of the phase; f_ij - s_ij sum_l f_il (symmetry) and the forces' rates; see MpcWeights.
+//
 // Source: Romualdi et al., ICRA 2022, section III. Every vector is in world W unless named.
 
 #include <Eigen/Core>
@@ -39,6 +42,9 @@ struct ContactPhase {
 struct OcpContact {
   std::string name;
   Eigen::Matrix3Xd vertices_m;  ///< 3 x n_v, in F. One column at the origin is a point foot.
+  /// n_v, sum 1: s_j of the symmetry cost, which wants f_j = s_j sum_i f_i and so the foot's centre
+  /// of pressure at sum_j s_j c_j. Empty: equal shares.
+  Eigen::VectorXd force_shares;
   bool has_previous_force{false};
   Eigen::Matrix3Xd previous_force_N;  ///< 3 x n_v, in W; force applied before k = 0.
   std::vector<ContactPhase> phases;
@@ -65,11 +71,21 @@ struct CentroidalOcp {
   std::vector<OcpContact> contacts;
 };
 
+/// The sum of force shares may differ from 1 by this much: rounding, as derivatives rely on it.
+constexpr double kShareTolerance = 1e-12;
+
+/// n_v s_j: the share of vertex j in units of an equal share, so exactly 1 if shares are equal.
+double RelativeShare(const OcpContact& contact, Eigen::Index vertex);
+
+/// Mean square of the relative shares of all vertices; at least 1, and 1 if they are equal.
+double MeanSquareShare(const OcpContact& contact);
+
 /// Index of the phase of `contact` that is active at knot k, or -1.
 int ActivePhase(const OcpContact& contact, int k);
 
 /// Throws ContractViolation if shapes, knots or phases are inconsistent (a program's bug; files
-/// are checked by the reader). An empty box (lower > upper) passes: it is an infeasible problem.
+/// are checked by the reader), or if force shares do not sum to 1. An empty box (lower > upper)
+/// passes: it is an infeasible problem.
 void CheckShapes(const CentroidalOcp& ocp);
 
 /// True if every number of the problem that its optimum may depend on is finite.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/mpc/problem/ocp_json.h"
 
-#include <limits>
+#include <cmath>
 #include <string>
 
 #include "controller/mpc/problem/json_node.h"
@@ -40,6 +40,7 @@ json ToJson(const OcpContact& contact) {
   json result = {{"name", contact.name},
                  {"vertices_m", RowsOf(contact.vertices_m)},
                  {"phases", json::array()}};
+  if (contact.force_shares.size() != 0) result["force_shares"] = RowOf(contact.force_shares);
   if (contact.has_previous_force) {
     result["previous_force_N"] = RowsOf(contact.previous_force_N);
   }
@@ -70,8 +71,16 @@ ContactPhase PhaseFromJson(const JsonNode& node, int free_from) {
   return phase;
 }
 
+Eigen::VectorXd SharesFromJson(const JsonNode& node, std::size_t count) {
+  const Eigen::VectorXd shares = node.Numbers(count);
+  if (shares.minCoeff() < 0.0 || std::abs(shares.sum() - 1.0) > kShareTolerance) {
+    node.Fail("shares of a force, at least 0 and 1 in sum");
+  }
+  return shares;
+}
+
 OcpContact ContactFromJson(const JsonNode& node) {
-  node.RequireKeys({"name", "vertices_m", "phases"}, {"previous_force_N"});
+  node.RequireKeys({"name", "vertices_m", "phases"}, {"previous_force_N", "force_shares"});
   OcpContact contact;
   contact.name = node["name"].String();
   const std::size_t num_vertices = node["vertices_m"].ArraySize();
@@ -79,6 +88,9 @@ OcpContact ContactFromJson(const JsonNode& node) {
     node["vertices_m"].Fail("at least one vertex");
   }
   contact.vertices_m = node["vertices_m"].Columns3(num_vertices);
+  if (node.Has("force_shares")) {
+    contact.force_shares = SharesFromJson(node["force_shares"], num_vertices);
+  }
   if (node.Has("previous_force_N")) {
     contact.has_previous_force = true;
     contact.previous_force_N = node["previous_force_N"].Columns3(num_vertices);

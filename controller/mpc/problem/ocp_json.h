@@ -21,8 +21,8 @@ nlohmann::json ToJson(const CentroidalOcp& ocp);
 
 /// Reads a problem; a `solution` block is ignored. Throws ConfigError, one line with the JSON path
 /// and what was expected, on a missing or unknown key, a wrong type or length, a number that is
-/// not finite or out of range, or phases out of order. Optional: weights.new_contact_force and
-/// contacts[].previous_force_N.
+/// not finite or out of range, shares that do not sum to 1, or phases out of order. Optional:
+/// weights.new_contact_force, contacts[].previous_force_N and contacts[].force_shares.
 CentroidalOcp OcpFromJson(const nlohmann::json& json);
 
 /// The solution block. A status without trajectories (infeasible, numerical error, not solved)

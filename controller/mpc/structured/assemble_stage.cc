@@ -152,6 +152,25 @@ void AddCarried(const ProblemView& problem, const StageMatrix& matrix, const dou
   }
 }
 
+// What unequal shares add to the symmetry cost's curvature of equal ones, w (I - 1 1^T / n). With
+// r = n s it is w (I - s 1^T)^T (I - s 1^T), whose entry is w (delta_ij - (r_i + r_j - r.r / n) /
+// n).
+__attribute__((noinline)) void AddShareCurvature(const ProblemView& problem,
+                                                 const ContactBlock& block,
+                                                 const StageMatrix& matrix) {
+  const int n = matrix.stage.num_slots;
+  const double* relative = problem.relative_share + matrix.stage.first_slot;
+  for (int a = 0; a < 3; ++a) {
+    const double share = problem.weight_symmetry[a] / block.count;
+    for (int j = block.first; j < block.first + block.count; ++j) {
+      double* column = matrix.Pivot(a * n + j) + a * n;
+      for (int i = j; i < block.first + block.count; ++i) {
+        column[i] -= share * (relative[i] + relative[j] - block.share_square - 1.0);
+      }
+    }
+  }
+}
+
 // Curvature and slope of the stage's forces.
 void AddForces(const ProblemView& problem, const NewtonTerms& terms, const StageMatrix& matrix) {
   const Stage& stage = matrix.stage;
@@ -173,6 +192,7 @@ void AddForces(const ProblemView& problem, const NewtonTerms& terms, const Stage
         column[one] += slope[a * n + j];
       }
     }
+    if (block.has_shares) AddShareCurvature(problem, block, matrix);
     for (int j = block.first; j < block.first + block.count; ++j) {
       matrix.Pivot(j)[n + j] += curvature[3 * n + j];
       matrix.Pivot(j)[2 * n + j] += curvature[4 * n + j];

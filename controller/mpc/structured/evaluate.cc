@@ -68,6 +68,18 @@ const double* Earlier(const ProblemView& problem, const double* point, int k,
                                   : nullptr;
 }
 
+// Sum of squares of u_j - s_j sum_i u_i. Out of line, as in linearize.cc and assemble_stage.cc: the
+// compiler may not mix it into the arithmetic of equal shares.
+__attribute__((noinline)) double SquaresBesideShares(const double* share, const double* u,
+                                                     double mean, int count) {
+  double sum = 0.0;
+  for (int j = 0; j < count; ++j) {
+    const double deviation = u[j] - share[j] * mean;
+    sum += deviation * deviation;
+  }
+  return sum;
+}
+
 double BlockCost(const ProblemView& problem, const double* point, int k,
                  const ContactBlock& block) {
   const Stage& stage = problem.stages[k];
@@ -83,6 +95,10 @@ double BlockCost(const ProblemView& problem, const double* point, int k,
     for (int j = 0; j < block.count; ++j) {
       deviations += (u[j] - mean) * (u[j] - mean);
       squares += u[j] * u[j];
+    }
+    if (block.has_shares) {
+      deviations = SquaresBesideShares(problem.relative_share + stage.first_slot + block.first, u,
+                                       mean, block.count);
     }
     if (earlier != nullptr) {
       for (int j = 0; j < block.count; ++j) jumps += (u[j] - earlier[j]) * (u[j] - earlier[j]);

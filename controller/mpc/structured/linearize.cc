@@ -35,6 +35,17 @@ void StageGeometry(const ProblemView& problem, const double* point, int k, Linea
   }
 }
 
+// What unequal shares add to the symmetry cost's slope of equal ones, w (u_j - mean). Deviations
+// e_i = u_i - s_i sum_l u_l sum to zero, so that the slope w (e_j - sum_i s_i e_i) is
+// w (u_j - r_j mean - sum_i (r_i - 1) e_i / n) with r = n s.
+__attribute__((noinline)) void AddShareSlope(const double* share, const double* u, double weight,
+                                             double mean, int count, double* slope) {
+  double excess = 0.0;
+  for (int j = 0; j < count; ++j) excess += (share[j] - 1.0) * (u[j] - share[j] * mean);
+  excess /= count;
+  for (int j = 0; j < count; ++j) slope[j] -= weight * ((share[j] - 1.0) * mean + excess);
+}
+
 void BlockGradient(const ProblemView& problem, const double* point, int k,
                    const ContactBlock& block, double* gradient) {
   const Stage& stage = problem.stages[k];
@@ -49,6 +60,10 @@ void BlockGradient(const ProblemView& problem, const double* point, int k,
     const double own = block.is_new ? problem.weight_new[a] : 0.0;
     for (int j = 0; j < block.count; ++j) {
       slope[j] = problem.weight_symmetry[a] * (u[j] - mean) + own * u[j];
+    }
+    if (block.has_shares) {
+      AddShareSlope(problem.relative_share + stage.first_slot + block.first, u,
+                    problem.weight_symmetry[a], mean, block.count, slope);
     }
     if (block.previous >= 0) {
       const Stage& before = problem.stages[k - 1];

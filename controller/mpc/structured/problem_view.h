@@ -21,6 +21,8 @@ struct ContactBlock {
   int next{-1};      ///< First of its slots in stage k + 1, -1 if it leaves or the horizon ends.
   int kept{0};       ///< Offset among the slots that continue from stage k - 1.
   int alive{-1};     ///< Entry of its location in the stage's list of alive locations.
+  double share_square{1.0};  ///< Mean square of its slots' relative shares.
+  bool has_shares{false};    ///< Its slots do not share alike.
   bool has_previous_force{false};
   bool is_new{false};  ///< The last-input regularisation counts.
 };
@@ -73,14 +75,15 @@ struct ProblemView {
   int num_faces{0};   ///< Rows of the friction description.
   double step_s{0.0};
   double weight_com[3]{}, weight_momentum[3]{}, weight_symmetry[3]{}, weight_rate[3]{},
-      weight_new[3]{};                ///< weight_rate is divided by step_s^2.
-  const double* reference{nullptr};   ///< 9 x (N+1), v unused.
-  const double* drift{nullptr};       ///< 6 x N: acceleration and torque / m without contacts.
-  const double* anchor{nullptr};      ///< 3 x slots: vertices in W if d = 0, stage by stage.
-  const double* face{nullptr};        ///< 3 faces x slots: rows in W, stage by stage.
-  const double* bound{nullptr};       ///< faces.
-  const double* previous_u{nullptr};  ///< 3 x slots of stage 0.
-  const double* rotation{nullptr};    ///< 9 a location, row-major R_WF.
+      weight_new[3]{};                    ///< weight_rate is divided by step_s^2.
+  const double* reference{nullptr};       ///< 9 x (N+1), v unused.
+  const double* drift{nullptr};           ///< 6 x N: acceleration and torque / m without contacts.
+  const double* anchor{nullptr};          ///< 3 x slots: vertices in W if d = 0, stage by stage.
+  const double* face{nullptr};            ///< 3 faces x slots: rows in W, stage by stage.
+  const double* bound{nullptr};           ///< faces.
+  const double* relative_share{nullptr};  ///< slots, stage by stage: n s_j, 1 if shares are equal.
+  const double* previous_u{nullptr};      ///< 3 x slots of stage 0.
+  const double* rotation{nullptr};        ///< 9 a location, row-major R_WF.
   const double* location_hessian{nullptr};  ///< 9 a location, in F.
   const double* box_lower{nullptr};         ///< 3 a location.
   const double* box_upper{nullptr};         ///< 3 a location.

@@ -42,7 +42,7 @@ void StructuredProblem::Reserve(const CentroidalOcp& ocp) {
   locations_.reserve(locations);
   first_pivot_.reserve(stages * (rows / 4 + 1));
   const std::size_t data =
-      15 * stages + (3 + 3 * faces) * slots + faces + 3 * vertices + 27 * locations;
+      15 * stages + (4 + 3 * faces) * slots + faces + 3 * vertices + 27 * locations;
   const std::size_t matrices = stages * (pivots * (rows + 1) + 9 * active);
   arena_.Reset(data + matrices, 16 + 3 * stages);
 }
@@ -184,13 +184,16 @@ void StructuredProblem::AddCarries(int k) {
 }
 
 void StructuredProblem::FillBlock(const CentroidalOcp& ocp, const Stage& stage, std::size_t b) {
-  const ContactBlock& block = blocks_[b];
+  ContactBlock& block = blocks_[b];
   const OcpContact& contact = ocp.contacts[Size(block_contact_[b])];
   const ContactPhase& phase = contact.phases[Size(block_phase_[b])];
   const Eigen::Vector3d origin_W = phase.fixed ? phase.p_WF : phase.nominal_p_WF;
   double* anchor = anchor_ + 3 * stage.first_slot;
   double* face = face_ + 3 * view_.num_faces * stage.first_slot;
+  block.has_shares = contact.force_shares.size() != 0;
+  block.share_square = MeanSquareShare(contact);
   for (int j = 0; j < block.count; ++j) {
+    relative_share_[stage.first_slot + block.first + j] = RelativeShare(contact, j);
     const Eigen::Vector3d vertex_W = origin_W + phase.R_WF * contact.vertices_m.col(j);
     for (int a = 0; a < 3; ++a) anchor[a * stage.num_slots + block.first + j] = vertex_W(a);
     if (block.has_previous_force) {

@@ -54,6 +54,7 @@ void StructuredProblem::TakeArrays() {
   view_.anchor = anchor_ = arena_.Take(3 * slots);
   view_.face = face_ = arena_.Take(3 * faces * slots);
   view_.bound = bound_ = arena_.Take(faces);
+  view_.relative_share = relative_share_ = arena_.Take(slots);
   view_.previous_u = previous_u_ = arena_.Take(3 * Size(stages_[0].num_slots));
   view_.rotation = rotation_ = arena_.Take(9 * locations_.size());
   view_.location_hessian = location_hessian_ = arena_.Take(9 * locations_.size());
