@@ -130,6 +130,11 @@ inline void Randomise(Numbers& numbers, CentroidalOcp* ocp) {
   }
   for (OcpContact& contact : ocp->contacts) {
     numbers.Fill(contact.vertices_m);
+    if (contact.force_shares.size() != 0) {
+      const Eigen::Index count = contact.vertices_m.cols();
+      for (Eigen::Index j = 0; j < count; ++j) contact.force_shares(j) = 1.5 + numbers.Next();
+      contact.force_shares /= contact.force_shares.sum();
+    }
     if (contact.has_previous_force) {
       numbers.Fill(contact.previous_force_N);
     }

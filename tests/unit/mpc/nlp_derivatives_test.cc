@@ -29,6 +29,11 @@ OcpContact With(OcpContact foot, std::vector<ContactPhase> phases, bool has_prev
   return foot;
 }
 
+OcpContact WithShares(OcpContact foot) {
+  foot.force_shares.setConstant(foot.vertices_m.cols(), 0.25);  // Randomised later.
+  return foot;
+}
+
 std::vector<Pattern> AllPatterns() {
   const Eigen::Vector3d any = Eigen::Vector3d::Zero();  // Randomised later.
   const Eigen::Vector3d box(0.1, 0.1, 0.0);
@@ -57,6 +62,9 @@ std::vector<Pattern> AllPatterns() {
       {"PhasesThatTouch",
        {With(left, {FreePhase(0, 2, any, box), FreePhase(2, 4, any, box)}, true)}},
       {"PreviousForceOfASwingFoot", {With(left, {FreePhase(2, 4, any, box)}, true)}},
+      {"UnequalShares",
+       {WithShares(With(left, {FixedPhase(0, 2, any), FreePhase(3, N + 1, any, box)}, true)),
+        With(right, {FixedPhase(0, N + 1, any)}, false)}},
   };
   std::vector<Pattern> patterns;
   Numbers numbers(7);

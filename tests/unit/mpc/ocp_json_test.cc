@@ -43,6 +43,7 @@ CentroidalOcp RandomProblem() {
   foot.previous_force_N = Eigen::Matrix3Xd::Zero(3, 4);
   foot.phases = {FixedPhase(0, 1, Eigen::Vector3d::Zero()),
                  FreePhase(2, 9, Eigen::Vector3d::Zero(), {1.0 / 3.0, 0.1, 0.0})};
+  foot.force_shares = Eigen::Vector4d::Constant(0.25);  // Randomised below.
   ocp.contacts = {foot, Foot("point", 1)};
   Numbers numbers(3);
   Randomise(numbers, &ocp);
@@ -81,6 +82,7 @@ TEST(OcpJsonTest, EveryNumberSurvivesTheRoundTripThroughTextBitForBit) {
     EXPECT_EQ(is.vertices_m, was.vertices_m);
     EXPECT_EQ(is.has_previous_force, was.has_previous_force);
     EXPECT_EQ(is.previous_force_N, was.previous_force_N);
+    EXPECT_EQ(is.force_shares, was.force_shares);
     ASSERT_EQ(is.phases.size(), was.phases.size());
     for (std::size_t q = 0; q < was.phases.size(); ++q) {
       EXPECT_EQ(is.phases[q].first_knot, was.phases[q].first_knot);
@@ -171,6 +173,10 @@ TEST(OcpJsonTest, ErrorsNameThePlaceAndWhatWasExpected) {
       {"/contacts", json::object(), "$.contacts: expected an array, got an object"},
       {"/contacts/0/vertices_m", json::array(),
        "$.contacts[0].vertices_m: expected at least one vertex, got an array of 0"},
+      {"/contacts/0/force_shares",
+       {0.3, 0.3, 0.3, 0.3},
+       "$.contacts[0].force_shares: expected shares of a force, at least 0 and 1 in sum, got an "
+       "array of 4"},
       {"/contacts/0/previous_force_N/0",
        {1, 2},
        "$.contacts[0].previous_force_N[0]: expected an array of 3 numbers, got an array of 2"},
