@@ -16,6 +16,7 @@ mpc::RobotModel PlannedRobot(const RobotDescription& robot, double mass_kg,
   for (const FootDescription& foot : robot.feet) {
     model.foot_names.push_back(foot.name);
     model.vertices_m.push_back(foot.vertices_m);
+    model.force_shares.push_back(foot.force_shares);
   }
   return model;
 }

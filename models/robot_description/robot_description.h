@@ -24,6 +24,9 @@ struct FootDescription {
   std::vector<std::string> force_torque;  ///< Of RobotDescription::force_torque.
   Eigen::Matrix3Xd vertices_m;  ///< 3 x n_v, in F; one column at the origin is a point foot.
   double sole_height_m{0.0};    ///< Height of F above the ground while the foot stands.
+  /// n_v, sum 1, from preferred_cop_m: how the MPC likes the foot's force shared between its
+  /// vertices. Empty: equally, which prefers the vertices' mean.
+  Eigen::VectorXd force_shares{};
 };
 
 /// What robot.yaml adds to an actuated joint. The servo is what stands between a position reference

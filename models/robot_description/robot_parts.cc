@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "models/robot_description/force_shares.h"
 #include "models/support/nearest_name.h"
 
 namespace sidestep {
@@ -51,6 +52,16 @@ void ReadFootSensors(ConfigMap& map, const KnownParts& parts, FootDescription* f
   }
 }
 
+/// The shares of the vertices' forces that put the foot's centre of pressure at the node's [x, y].
+Eigen::VectorXd ReadPreferredCop(const ConfigNode& node, const Eigen::Matrix3Xd& vertices_m) {
+  const std::vector<double> cop_m = ReadNumbers(node, 2);
+  Eigen::VectorXd shares = ForceShares(vertices_m, {cop_m[0], cop_m[1]});
+  if (shares.size() == 0) {
+    node.Fail("needs a negative share of the force at a vertex: it must lie nearer their mean");
+  }
+  return shares;
+}
+
 FootDescription ReadFoot(const ConfigNode& node, const KnownParts* parts) {
   ConfigMap map = node.Map();
   FootDescription foot;
@@ -64,6 +75,9 @@ FootDescription ReadFoot(const ConfigNode& node, const KnownParts* parts) {
     foot.frame = frame ? ReadName(*frame) : foot.name;
   }
   foot.vertices_m = ReadVertices(map.Required("vertices_m"));
+  if (const auto cop = map.Optional("preferred_cop_m")) {
+    foot.force_shares = ReadPreferredCop(*cop, foot.vertices_m);
+  }
   if (const auto height = map.Optional("sole_height_m")) {
     foot.sole_height_m = height->Number(0.0, kMaxLength_m);
   }

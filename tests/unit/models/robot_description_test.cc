@@ -154,7 +154,14 @@ TEST_F(RobotErrorTest, Keys) {
       "arm_force_torque, feet, control");
   EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: foot, size: 1"),
             "robot.yaml:10:31: error: feet.0.size is not a known key; known keys: name, frame, "
-            "force_torque, vertices_m, sole_height_m");
+            "force_torque, vertices_m, preferred_cop_m, sole_height_m");
+  EXPECT_EQ(
+      ErrorOfEdit("mini", "frame: foot", "frame: foot, preferred_cop_m: [0, 0.01]"),
+      "robot.yaml:10:48: error: feet.0.preferred_cop_m needs a negative share of the force at "
+      "a vertex: it must lie nearer their mean");
+  EXPECT_EQ(
+      ErrorOfEdit("mini", "frame: foot", "frame: foot, preferred_cop_m: [0, 0, 0]"),
+      "robot.yaml:10:48: error: feet.0.preferred_cop_m must be a list of 2 numbers, not of 3");
   EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30\n", ""),
             "robot.yaml:1:1: error: mass_kg is missing (required)");
   EXPECT_EQ(ErrorOfEdit("walker", "mass_kg: 30", "mass_kg: 30\nbase: trunk"),
