@@ -55,8 +55,11 @@ std::vector<Room> ControllerRooms() {
 
 std::vector<Room> SimRooms() {
   return {
-      // The metrics' names only: a scenario may expect what the verdict measures.
-      {"sim/scenario", kRobot + Folders{"controller/types", "sim/verdict/metrics.h"}},
+      // The metrics' names only: a scenario may expect what the verdict measures. Of the planner
+      // the pure generator of gaits: no controller moves the scenario's nominal motion.
+      {"sim/scenario",
+       kRobot + Folders{"controller/types", "controller/planner/nominal_gait.h",
+                        "controller/planner/com_spline.h", "sim/verdict/metrics.h"}},
       {"sim/actuators", kTypes + kRobot},
       {"sim/world", kScenario + Folders{"sim/actuators"}, true},
       {"sim/sensors", kWorld, true},

@@ -60,6 +60,19 @@ inline ControlTick StandingControl(const Scenario& scenario) {
   return control;
 }
 
+/// A robot on two feet 0.16 m apart that walks 0.1 m a step, left foot first: from 0.2 s on, 0.6 s
+/// in the air and 0.2 s on both feet, so that touch-downs are 0.8 s apart and a gait cycle is 1.6
+/// s.
+inline Scenario TwoFeetScenario() {
+  Scenario scenario = OneFootScenario();
+  scenario.description_of_robot.feet = {{"left", "left_sole", {}, Eigen::Vector3d::Zero(), 0.02},
+                                        {"right", "right_sole", {}, Eigen::Vector3d::Zero(), 0.02}};
+  scenario.gait[0].type = GaitType::kWalk;
+  scenario.gait[0].step_length_m = 0.1;
+  scenario.duration_s = 10.0;
+  return scenario;
+}
+
 /// Changes what is true and thought at a tick.
 using Script = std::function<void(Tick, WorldTruth&, ControlTick&)>;
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/scenario/nominal_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "controller/planner/com_spline.h"
+#include "models/support/require.h"
+
+namespace sidestep {
+namespace {
+
+// Beyond the duration: a robot may be ahead of its schedule by less.
+constexpr double kMargin_s = 5.0;
+
+NominalGait GaitOf(const Scenario& scenario, Tick end_tick) {
+  const RobotDescription& robot = scenario.description_of_robot;
+  SIDESTEP_REQUIRE(!robot.feet.empty(), robot.name);
+  const GaitGeometry geometry{
+      static_cast<int>(robot.feet.size()), robot.com_height_m,
+      robot.feet.front().sole_height_m,    scenario.control.mpc.box_lower_m,
+      scenario.control.mpc.box_upper_m,    scenario.control.planner.com_sway};
+  return BuildNominalGait(scenario.gait, geometry, end_tick, scenario.world.step_s);
+}
+
+// The CoM at a knot: at rest, or as fast as its neighbours say.
+ComReference KnotState(const std::vector<ComKnot>& com, std::size_t at, double tick_s) {
+  ComReference state;
+  state.p_WC = com[at].p_WC;
+  if (com[at].at_rest || at == 0 || at + 1 == com.size()) return state;
+  state.v_WC = (com[at + 1].p_WC - com[at - 1].p_WC) /
+               SecondsAt(com[at + 1].tick - com[at - 1].tick, tick_s);
+  return state;
+}
+
+// The nominal CoM: quintic between the knots.
+ComReference NominalComAt(const std::vector<ComKnot>& com, Tick tick, double tick_s) {
+  const auto next =
+      std::upper_bound(com.begin(), com.end(), tick,
+                       [](Tick value, const ComKnot& knot) { return value < knot.tick; });
+  if (next == com.begin()) return KnotState(com, 0, tick_s);
+  if (next == com.end()) return KnotState(com, com.size() - 1, tick_s);
+  const auto at = static_cast<std::size_t>(next - com.begin());
+  const Tick start = com[at - 1].tick;
+  return QuinticAt(KnotState(com, at - 1, tick_s), KnotState(com, at, tick_s),
+                   SecondsAt(next->tick - start, tick_s), SecondsAt(tick - start, tick_s));
+}
+
+}  // namespace
+
+NominalMotion::NominalMotion(const Scenario& scenario)
+    : tick_s_(scenario.world.step_s), end_tick_(TickAt(scenario.duration_s + kMargin_s, tick_s_)) {
+  NominalGait gait = GaitOf(scenario, end_tick_);
+  com_ = std::move(gait.com);
+  for (const std::vector<NominalContact>& contacts : gait.feet) {
+    std::vector<PlannedContact>& foot = feet_.emplace_back();
+    for (const NominalContact& nominal : contacts) foot.push_back(nominal.contact);
+  }
+}
+
+ComReference NominalMotion::ComAt(Tick tick) const { return NominalComAt(com_, tick, tick_s_); }
+
+std::size_t NominalMotion::NearestContact(std::size_t foot, Tick tick) const {
+  const std::vector<PlannedContact>& contacts = feet_.at(foot);
+  const auto next = std::upper_bound(
+      contacts.begin(), contacts.end(), tick,
+      [](Tick value, const PlannedContact& contact) { return value < contact.start_tick; });
+  if (next == contacts.begin()) return 0;
+  const auto at = static_cast<std::size_t>(next - contacts.begin());
+  if (next == contacts.end()) return at - 1;
+  return next->start_tick - tick < tick - contacts[at - 1].start_tick ? at : at - 1;
+}
+
+Eigen::Vector3d NominalMotion::StepTo(std::size_t foot, std::size_t index) const {
+  const PlannedContact& contact = feet_.at(foot).at(index);
+  if (num_feet() != 2) {
+    const std::size_t before = index == 0 ? 0 : index - 1;
+    return contact.nominal_p_WF - feet_[foot][before].nominal_p_WF;
+  }
+  const PlannedContact* other = &feet_[1 - foot].front();
+  for (const PlannedContact& candidate : feet_[1 - foot]) {
+    if (candidate.start_tick <= contact.start_tick) other = &candidate;
+  }
+  return contact.nominal_p_WF - other->nominal_p_WF;
+}
+
+}  // namespace sidestep

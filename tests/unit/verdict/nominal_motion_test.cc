@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/scenario/nominal_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "models/support/require.h"
+#include "tests/unit/verdict/verdict_test_support.h"
+
+namespace sidestep::nominal_motion_test {
+namespace {
+
+// Stands for 0.5 s, then hops 0.09 m every 0.3 s.
+Scenario HopScenario() {
+  Scenario scenario = OneFootScenario();
+  scenario.duration_s = 4.0;
+  scenario.gait.resize(2);
+  scenario.gait[1].type = GaitType::kHop;
+  scenario.gait[1].start_s = 0.5;
+  scenario.gait[1].stance_s = scenario.gait[1].flight_s = 0.15;
+  scenario.gait[1].step_length_m = 0.09;
+  return scenario;
+}
+
+TEST(NominalMotionTest, StandsThenHopsAtTheGaitsSpeed) {
+  const NominalMotion nominal(HopScenario());
+  EXPECT_EQ(nominal.ComAt(0).p_WC, Eigen::Vector3d(0.0, 0.0, 0.5));
+  EXPECT_EQ(nominal.ComAt(400).v_WC.norm(), 0.0);
+  // In the middle of a stance the CoM is over its foot: the contact from 2000 on is the fifth
+  // hop's.
+  const ComReference at = nominal.ComAt(2075);
+  EXPECT_NEAR(at.p_WC.x(), 0.45, 1e-12);
+  EXPECT_NEAR(at.v_WC.x(), 0.3, 1e-12);
+  EXPECT_NEAR(at.p_WC.z(), 0.5, 1e-15);
+  EXPECT_EQ(nominal.contacts(0).at(5).start_tick, 2000);
+  EXPECT_NEAR(nominal.contacts(0).at(5).nominal_p_WF.x(), 0.45, 1e-12);
+}
+
+TEST(NominalMotionTest, GoesOnBeyondTheDuration) {
+  const NominalMotion nominal(HopScenario());
+  EXPECT_GE(nominal.end_tick(), 4000 + 1000);
+  EXPECT_NEAR(nominal.ComAt(4400 + 75).v_WC.x(), 0.3, 1e-12);
+}
+
+TEST(NominalMotionTest, IsTheScenariosWhateverItsPlannerFollows) {
+  Scenario scenario = HopScenario();
+  const NominalMotion nominal(scenario);
+  scenario.control.planner.follow = FollowMode::kCapturePoint;
+  scenario.control.external_wrench = ExternalWrenchKnowledge::kKnown;
+  const NominalMotion other(scenario);
+  for (Tick tick = 0; tick < 4000; tick += 37) {
+    EXPECT_EQ(nominal.ComAt(tick).p_WC, other.ComAt(tick).p_WC) << tick;
+  }
+}
+
+TEST(NominalMotionTest, SwayIsTowardsTheFootThatStands) {
+  Scenario scenario = TwoFeetScenario();
+  EXPECT_NEAR(NominalMotion(scenario).ComAt(1300).p_WC.y(), 0.0, 1e-12);
+  scenario.control.planner.com_sway = 0.5;
+  // The right foot flies from 1000 to 1600: by hand, half way to the left foot at y = 0.08.
+  EXPECT_NEAR(NominalMotion(scenario).ComAt(1300).p_WC.y(), 0.04, 1e-12);
+}
+
+TEST(NominalMotionTest, StepOfTwoFeetGoesFromTheOtherFoot) {
+  const NominalMotion nominal(TwoFeetScenario());
+  EXPECT_LT((nominal.StepTo(0, 0) - Eigen::Vector3d(0.0, 0.16, 0.0)).norm(), 1e-12);
+  EXPECT_LT((nominal.StepTo(1, 0) - Eigen::Vector3d(0.0, -0.16, 0.0)).norm(), 1e-12);
+  EXPECT_LT((nominal.StepTo(0, 1) - Eigen::Vector3d(0.1, 0.16, 0.0)).norm(), 1e-12);
+  EXPECT_LT((nominal.StepTo(1, 2) - Eigen::Vector3d(0.1, -0.16, 0.0)).norm(), 1e-12);
+}
+
+TEST(NominalMotionTest, StepOfOneFootGoesFromItsLastPlace) {
+  const NominalMotion nominal(HopScenario());
+  EXPECT_EQ(nominal.StepTo(0, 0).norm(), 0.0);
+  EXPECT_LT((nominal.StepTo(0, 3) - Eigen::Vector3d(0.09, 0.0, 0.0)).norm(), 1e-12);
+}
+
+TEST(NominalMotionTest, NearestContactIsByItsStartTheEarlierOfTwoAsNear) {
+  const NominalMotion nominal(TwoFeetScenario());  // the left foot's: 0, 800, 2400, ...
+  EXPECT_EQ(nominal.NearestContact(0, -5), 0u);
+  EXPECT_EQ(nominal.NearestContact(0, 400), 0u);
+  EXPECT_EQ(nominal.NearestContact(0, 401), 1u);
+  EXPECT_EQ(nominal.NearestContact(0, 1599), 1u);
+  EXPECT_EQ(nominal.NearestContact(0, 1601), 2u);
+  EXPECT_EQ(nominal.NearestContact(0, 1 << 20), nominal.contacts(0).size() - 1);
+}
+
+TEST(NominalMotionTest, ScenarioWithoutGaitBreaksTheContract) {
+  Scenario scenario = HopScenario();
+  scenario.gait.clear();
+  EXPECT_THROW(NominalMotion{scenario}, ContractViolation);
+}
+
+}  // namespace
+}  // namespace sidestep::nominal_motion_test
