@@ -42,10 +42,10 @@ FallMeter::FallMeter(const Scenario& scenario)
 
 void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   const double height_m = is_centroidal_ ? truth.p_WC.z() : truth.p_WB.z();
-  const double tilt_rad = TiltRad(truth.q_WB, up_B_);
+  tilt_rad_ = TiltRad(truth.q_WB, up_B_);
   min_height_m_ = std::min(min_height_m_, height_m);
   max_height_m_ = std::max(max_height_m_, height_m);
-  max_tilt_rad_ = std::max(max_tilt_rad_, tilt_rad);
+  max_tilt_rad_ = std::max(max_tilt_rad_, tilt_rad_);
   if (fall_tick_) return;
 
   const double lowest_m = bounds_.min_base_height_ratio * nominal_height_m_;
@@ -54,8 +54,8 @@ void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   } else if (height_m < lowest_m) {
     cause_ =
         Compared(is_centroidal_ ? "CoM height" : "base height", height_m, "below", lowest_m, "m");
-  } else if (tilt_rad > bounds_.max_tilt_rad) {
-    cause_ = Compared("base tilt", tilt_rad, "above", bounds_.max_tilt_rad, "rad");
+  } else if (tilt_rad_ > bounds_.max_tilt_rad) {
+    cause_ = Compared("base tilt", tilt_rad_, "above", bounds_.max_tilt_rad, "rad");
   } else {
     return;
   }

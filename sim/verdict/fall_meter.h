@@ -35,6 +35,7 @@ class FallMeter {
 
   double min_height_m() const { return min_height_m_; }  ///< Infinite before the first tick.
   double max_height_m() const { return max_height_m_; }  ///< Likewise.
+  double tilt_rad() const { return tilt_rad_; }          ///< At the last tick; see TiltRad.
   double max_tilt_rad() const { return max_tilt_rad_; }
 
  private:
@@ -44,6 +45,7 @@ class FallMeter {
   double nominal_height_m_;
   double min_height_m_{std::numeric_limits<double>::infinity()};
   double max_height_m_{-std::numeric_limits<double>::infinity()};
+  double tilt_rad_{0.0};
   double max_tilt_rad_{0.0};
   std::optional<Tick> fall_tick_;
   std::string cause_;

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "controller/types/control_tick.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
@@ -15,8 +14,8 @@ class FlightMeter {
  public:
   explicit FlightMeter(double tick_s) : tick_s_(tick_s) {}
 
-  /// Takes one tick. @param control  Null between control ticks.
-  void Add(const WorldTruth& truth, const ControlTick* control);
+  /// Takes one tick. @param nominal_height_m  Of the nominal CoM at the same tick.
+  void Add(const WorldTruth& truth, double nominal_height_m);
 
   /// Largest absolute error of the flights that have ended (m); NaN if there was none.
   double max_apex_error_m() const { return max_apex_error_m_; }

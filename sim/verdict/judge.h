@@ -2,8 +2,10 @@
 #pragma once
 // judge: watches every tick of a run and says what it showed.
 //
-// In : WorldTruth every tick; ControlTick on control ticks, of which only the planned contacts,
-//      the nominal CoM, the planned forces and the solvers' statuses are looked at.
+// In : WorldTruth every tick, beside the scenario's nominal motion. ControlTick on control ticks,
+// if
+//      the controller tells what it thought: it makes the metrics of the group `controller` and
+//      the SOLVER rule, and no other figure.
 // Out: metrics, footsteps, push impulses and the verdict.
 // Flow: world, controller -> [judge] -> recorder, command line.
 //
@@ -36,9 +38,14 @@ class Judge {
   Judge(Judge&&) noexcept;
   ~Judge();
 
+  /// A judge that has seen what `other` has, and goes on by itself.
+  Judge(const Judge& other);
+  Judge& operator=(const Judge& other);
+
   /// Takes one tick, in order, each once, from 0 to the end of the run, the last one included.
   /// @param truth    State at `tick`, with the pushes that act from it.
-  /// @param control  What the controller thought at `tick`; null between control ticks.
+  /// @param control  What the controller thought at `tick`; null between control ticks, and always
+  ///                 for a controller that tells nothing.
   /// A non-finite CoM or base makes the run INVALID (DIVERGED) and ends the judging.
   void Add(Tick tick, const WorldTruth& truth, const ControlTick* control);
 

@@ -2,16 +2,33 @@
 #pragma once
 // metrics: every figure of merit that summary.json tells and a scenario's `expect` may bound.
 
+#include <array>
 #include <span>
 #include <string_view>
+#include <utility>
+
+#include "controller/types/field.h"
 
 namespace sidestep {
+
+/// Whom a metric asks.
+enum class MetricGroup {
+  kTruth,      ///< The world alone, beside the scenario: the same for every controller.
+  kController  ///< The controller: what it said it planned and solved.
+};
+
+template <>
+struct EnumNames<MetricGroup> {
+  static constexpr std::array<std::pair<MetricGroup, std::string_view>, 2> kNames{
+      {{MetricGroup::kTruth, "truth"}, {MetricGroup::kController, "controller"}}};
+};
 
 struct MetricInfo {
   std::string_view name;     ///< Key in summary.json and under `expect`; ends in its unit.
   std::string_view unit;     ///< SI; empty for a count or a truth value.
-  std::string_view meaning;  ///< One line; measured on the truth unless it says otherwise.
+  std::string_view meaning;  ///< One line.
   bool is_bool;
+  MetricGroup group;
 };
 
 /// All metrics, in the order in which they are shown.

@@ -3,29 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "models/support/require.h"
 
 namespace sidestep {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRecoveredPath_m = 0.05;    // of the metric's definition
-constexpr double kRecoveredSpeed_mps = 0.1;  // of the metric's definition
-constexpr double kStandCycle_s = 1.0;        // long against a sway, short against a run
-
-// The nominal line is looked at through this many chords each way: over a cycle of a walk with
-// 0.1 m of sway they are within 0.05 mm of it.
-constexpr std::size_t kChords = 100;
-
-double DistanceToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a,
-                         const Eigen::Vector2d& b) {
-  const Eigen::Vector2d ab = b - a;
-  const double squared_m2 = ab.squaredNorm();
-  const double share =
-      squared_m2 > 0.0 ? std::clamp((point - a).dot(ab) / squared_m2, 0.0, 1.0) : 0.0;
-  return (point - a - share * ab).norm();
-}
+constexpr double kStandCycle_s = 1.0;  // long against a sway, short against a run
 
 }  // namespace
 
@@ -43,71 +27,68 @@ double GaitCycle_s(const GaitParams& gait, std::size_t num_feet) {
   return kStandCycle_s;
 }
 
-PathMeter::PathMeter(const Scenario& scenario)
+PathMeter::PathMeter(const Scenario& scenario, const NominalMotion& nominal)
     : tick_s_(scenario.world.step_s),
-      period_s_(1.0 / scenario.control.rate_hz),
-      follows_robot_(scenario.control.planner.follow == FollowMode::kCapturePoint),
+      period_(std::max<Tick>(1, TickAt(1.0 / scenario.control.rate_hz, tick_s_))),
       gait_(scenario.gait),
-      num_feet_(scenario.description_of_robot.feet.size()) {}
+      num_feet_(scenario.description_of_robot.feet.size()),
+      line_(nominal, tick_s_) {}
 
-void PathMeter::Add(Tick tick, const WorldTruth& truth, const ComReference& reference) {
-  const Eigen::Vector2d before_m =
-      samples_.empty() ? Eigen::Vector2d::Zero().eval() : samples_.back().drift_m;
-  const Eigen::Vector2d error_mps = (truth.v_WC - reference.v_WC).head<2>();
-  samples_.push_back(
-      {tick, truth.p_WC.head<2>(), reference.p_WC.head<2>(), before_m + period_s_ * error_mps});
+const PathSample& PathMeter::Add(Tick tick, const WorldTruth& truth) {
+  SIDESTEP_REQUIRE(Samples(tick), tick);
+  const std::size_t cycle = CycleSamples(tick);
+  const auto period = static_cast<double>(period_);
+  const double was_at = past_.empty() ? static_cast<double>(tick) : on_line_tick_ + period;
+  const Eigen::Vector2d p_WC = truth.p_WC.head<2>();
+  const PathLine::Point nearest =
+      line_.NearestTo(p_WC, was_at, static_cast<double>(cycle) * period, tick);
+  on_line_tick_ = nearest.tick;
+  const Eigen::Vector2d offset_m = p_WC - nearest.p_WC;
+  last_.tick = tick;
+  MeasureOffset(offset_m, cycle);
+  MeasureSpeed(tick, truth, cycle);
+  const Eigen::Vector2d sum_m =
+      past_.empty() ? Eigen::Vector2d::Zero().eval() : past_.back().offset_sum_m;
+  past_.push_back({p_WC, sum_m + offset_m});
+  return last_;
 }
 
-std::size_t PathMeter::CycleSamples(std::size_t at) const {
-  const double now_s = SecondsAt(samples_[at].tick, tick_s_);
+std::size_t PathMeter::CycleSamples(Tick tick) const {
+  const double now_s = SecondsAt(tick, tick_s_);
   double cycle_s = kStandCycle_s;
   for (const GaitParams& gait : gait_) {
     if (gait.start_s <= now_s) cycle_s = GaitCycle_s(gait, num_feet_);
   }
-  return static_cast<std::size_t>(std::max<long>(1, std::lround(cycle_s / period_s_)));
+  return static_cast<std::size_t>(std::max<Tick>(1, TickAt(cycle_s, tick_s_) / period_));
 }
 
-double PathMeter::PathError(std::size_t at) const {
-  const Sample& now = samples_[at];
-  double error_m = (now.p_WC - now.reference_p_WC).norm();
-  if (follows_robot_) return error_m;
-  const std::size_t reach = CycleSamples(at);
-  const std::size_t stride = std::max<std::size_t>(1, reach / kChords);
-  const std::size_t first = at - std::min(at, reach) / stride * stride;
-  const std::size_t last = std::min(samples_.size() - 1, at + reach);
-  for (std::size_t i = first; i + stride <= last; i += stride) {
-    error_m = std::min(error_m, DistanceToSegment(now.p_WC, samples_[i].reference_p_WC,
-                                                  samples_[i + stride].reference_p_WC));
+// Over `cycle` samples with the present one, or as many as there are.
+void PathMeter::MeasureOffset(const Eigen::Vector2d& offset_m, std::size_t cycle) {
+  const std::size_t at = past_.size();
+  Eigen::Vector2d sum_m = offset_m;
+  if (at > 0) sum_m += past_.back().offset_sum_m;
+  if (at >= cycle) sum_m -= past_[at - cycle].offset_sum_m;
+  const Eigen::Vector2d mean_m = sum_m / static_cast<double>(std::min(cycle, at + 1));
+  last_.error_m = offset_m.norm();
+  last_.drift_m = mean_m.norm();
+  last_.wander_m = (offset_m - mean_m).norm();
+  max_error_m_ = std::fmax(max_error_m_, last_.error_m);  // fmax drops the first NaN
+}
+
+// From the place `cycle` samples ago, or the first, to the present one.
+void PathMeter::MeasureSpeed(Tick tick, const WorldTruth& truth, std::size_t cycle) {
+  const std::size_t back = std::min(cycle, past_.size());
+  const auto back_ticks = static_cast<double>(back) * static_cast<double>(period_);
+  Eigen::Vector2d velocity_mps = truth.v_WC.head<2>();
+  Eigen::Vector2d nominal_mps = Eigen::Vector2d::Zero();  // it starts at rest
+  if (back > 0) {
+    const double back_s = back_ticks * tick_s_;
+    velocity_mps = (truth.p_WC.head<2>() - past_[past_.size() - back].p_WC) / back_s;
+    const auto now = static_cast<double>(tick);
+    nominal_mps = (line_.At(now) - line_.At(now - back_ticks)) / back_s;
   }
-  return error_m;
-}
-
-double PathMeter::SpeedError(std::size_t at) const {
-  const std::size_t cycle = std::min(CycleSamples(at), at + 1);
-  const Eigen::Vector2d before_m =
-      cycle == at + 1 ? Eigen::Vector2d::Zero().eval() : samples_[at - cycle].drift_m;
-  return (samples_[at].drift_m - before_m).norm() / (static_cast<double>(cycle) * period_s_);
-}
-
-PathFigures PathMeter::Conclude(std::optional<Tick> push_end) const {
-  PathFigures figures{kNaN, kNaN, kNaN, push_end ? kInfinity : kNaN};
-  if (samples_.empty()) return figures;
-  figures.max_path_error_m = 0.0;
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const double path_error_m = PathError(i);
-    const double speed_error_mps = SpeedError(i);
-    figures.final_path_error_m = path_error_m;
-    figures.final_speed_error_mps = speed_error_mps;
-    figures.max_path_error_m = std::max(figures.max_path_error_m, path_error_m);
-    if (!push_end || samples_[i].tick < *push_end) continue;
-    const bool is_back = path_error_m < kRecoveredPath_m && speed_error_mps < kRecoveredSpeed_mps;
-    if (!is_back) {
-      figures.recovery_time_s = kInfinity;
-    } else if (!std::isfinite(figures.recovery_time_s)) {
-      figures.recovery_time_s = SecondsAt(samples_[i].tick - *push_end, tick_s_);
-    }
-  }
-  return figures;
+  last_.speed_mps = velocity_mps.norm();
+  last_.speed_error_mps = (velocity_mps - nominal_mps).norm();
 }
 
 }  // namespace sidestep

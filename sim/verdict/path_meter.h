@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// path_meter: how far the CoM strays from its nominal motion, and when it is back for good.
+// path_meter: how far the CoM strays from its nominal path, and how it moves beside it.
 //
-// Path error: with `follow: path`, the horizontal distance of the CoM to the line that the nominal
-// CoM draws, looked for within one gait cycle before and after; with `follow: capture_point`, where
-// the nominal motion shifts with the robot, to the nominal CoM of the same instant. Speed error:
-// horizontal CoM velocity less the nominal one, averaged over the last gait cycle (or what there is
-// of it), as a length.
+// The path is a line, not a timetable: the CoM's offset goes from the nearest point of the line
+// that the nominal CoM draws on the ground, looked for within one gait cycle before and after where
+// on the line the robot was last. So a robot that is late or early is not charged for its phase, at
+// whatever it has accumulated, and one that stops is as far off the path as where it stopped: its
+// speed says so.
+// All means are over the last gait cycle, or what there is of it.
 
 #include <Eigen/Core>
-#include <optional>
+#include <limits>
 #include <vector>
 
-#include "controller/types/control_tick.h"
 #include "controller/types/gait_params.h"
 #include "controller/types/tick.h"
+#include "sim/scenario/nominal_motion.h"
 #include "sim/scenario/scenario.h"
+#include "sim/verdict/path_line.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
@@ -24,44 +26,53 @@ namespace sidestep {
 /// @param num_feet  Of the robot; a run alternates them, a hop uses all at once.
 double GaitCycle_s(const GaitParams& gait, std::size_t num_feet);
 
-/// NaN where there was nothing to measure.
-struct PathFigures {
-  double final_path_error_m;
-  double max_path_error_m;
-  double final_speed_error_mps;
-  /// From `push_end` until path error < 0.05 m and speed error < 0.1 m/s last to the end of the
-  /// run; infinite if they don't, NaN if there is no push.
-  double recovery_time_s;
+/// The CoM against its path at one tick. Horizontal.
+struct PathSample {
+  Tick tick{0};
+  double error_m{0.0};    ///< Length of the offset from the path line.
+  double drift_m{0.0};    ///< Length of the mean offset.
+  double wander_m{0.0};   ///< Length of the offset less the mean offset.
+  double speed_mps{0.0};  ///< Length of the mean velocity.
+  /// Length of the mean velocity less the nominal one over the same time.
+  double speed_error_mps{0.0};
 };
 
 class PathMeter {
  public:
-  explicit PathMeter(const Scenario& scenario);
+  PathMeter(const Scenario& scenario, const NominalMotion& nominal);
 
-  /// Takes a control tick; ticks ascend.
-  void Add(Tick tick, const WorldTruth& truth, const ComReference& reference);
+  /// Whether samples are taken at `tick`: at the scenario's control rate, from tick 0 on.
+  bool Samples(Tick tick) const { return tick % period_ == 0; }
 
-  /// @param push_end  Tick at which the last push has ended, if there is one.
-  PathFigures Conclude(std::optional<Tick> push_end) const;
+  /// Takes a tick that it samples; these follow each other without a gap.
+  const PathSample& Add(Tick tick, const WorldTruth& truth);
+
+  /// The latest sample; NaN without any, but for the tick.
+  const PathSample& last() const { return last_; }
+
+  double max_error_m() const { return max_error_m_; }  ///< Of all samples; NaN without any.
 
  private:
-  struct Sample {
-    Tick tick;
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+  struct Past {
     Eigen::Vector2d p_WC;
-    Eigen::Vector2d reference_p_WC;
-    Eigen::Vector2d drift_m;  ///< Sum of the speed errors up to this sample, times the period.
+    Eigen::Vector2d offset_sum_m;  // of all samples up to this one
   };
 
-  double PathError(std::size_t at) const;
-  double SpeedError(std::size_t at) const;
-  std::size_t CycleSamples(std::size_t at) const;
+  std::size_t CycleSamples(Tick tick) const;
+  void MeasureOffset(const Eigen::Vector2d& offset_m, std::size_t cycle);
+  void MeasureSpeed(Tick tick, const WorldTruth& truth, std::size_t cycle);
 
   double tick_s_;
-  double period_s_;  ///< Between control ticks.
-  bool follows_robot_;
+  Tick period_;  // between samples
   std::vector<GaitParams> gait_;
   std::size_t num_feet_;
-  std::vector<Sample> samples_;
+  PathLine line_;
+  std::vector<Past> past_;
+  double on_line_tick_{0.0};  // when the nominal CoM is where the robot was on the line last
+  PathSample last_{0, kNaN, kNaN, kNaN, kNaN, kNaN};
+  double max_error_m_{kNaN};
 };
 
 }  // namespace sidestep

@@ -14,18 +14,16 @@ double SoleHeight_m(const FootDescription& foot, const FootTruth& truth) {
   return truth.p_WF.z() + lowest_m - level_m - foot.sole_height_m;
 }
 
-SoleMeter::SoleMeter(const std::vector<FootDescription>& feet, double min_load_N)
-    : min_load_N_(min_load_N) {
+SoleMeter::SoleMeter(const std::vector<FootDescription>& feet) {
   for (const FootDescription& foot : feet) has_sole_.push_back(foot.vertices_m.cols() >= 3);
 }
 
-void SoleMeter::Add(const WorldTruth& truth, const std::vector<bool>& planned_contact) {
+void SoleMeter::Add(const WorldTruth& truth, const std::vector<StanceMeter>& stances) {
   SIDESTEP_REQUIRE(truth.feet.size() == has_sole_.size(), truth.feet.size());
-  SIDESTEP_REQUIRE(planned_contact.size() == has_sole_.size(), planned_contact.size());
+  SIDESTEP_REQUIRE(stances.size() == has_sole_.size(), stances.size());
   for (std::size_t i = 0; i < has_sole_.size(); ++i) {
-    const FootTruth& foot = truth.feet[i];
-    if (!has_sole_[i] || !planned_contact[i] || foot.f_F_W.z() <= min_load_N_) continue;
-    const Eigen::Vector3d normal_W = foot.R_WF.col(2);
+    if (!has_sole_[i] || !stances[i].bears_settled_load()) continue;
+    const Eigen::Vector3d normal_W = truth.feet[i].R_WF.col(2);
     const double tilt_rad = std::atan2(normal_W.head<2>().norm(), normal_W.z());
     max_tilt_rad_ = std::fmax(max_tilt_rad_, tilt_rad);  // fmax drops the first NaN
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/robot_description/robot_description.h"
+#include "sim/verdict/stance_meter.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
@@ -18,19 +19,17 @@ double SoleHeight_m(const FootDescription& foot, const FootTruth& truth);
 /// Watches the feet that have a sole: three corners and more.
 class SoleMeter {
  public:
-  /// @param min_load_N  Vertical force of a foot that carries.
-  SoleMeter(const std::vector<FootDescription>& feet, double min_load_N);
+  explicit SoleMeter(const std::vector<FootDescription>& feet);
 
-  /// Takes one tick. @param planned_contact  One a foot.
-  void Add(const WorldTruth& truth, const std::vector<bool>& planned_contact);
+  /// Takes one tick. @param stances  One a foot, having seen the same tick.
+  void Add(const WorldTruth& truth, const std::vector<StanceMeter>& stances);
 
-  /// Largest angle between the vertical and a sole's normal while its foot was meant to stand and
-  /// carried (rad); NaN if none did.
+  /// Largest angle between the vertical and a sole's normal while its foot stood, settled, and bore
+  /// load (rad); NaN if none did. Toes or heel may touch first.
   double max_tilt_rad() const { return max_tilt_rad_; }
 
  private:
   std::vector<bool> has_sole_;
-  double min_load_N_;
   double max_tilt_rad_{std::numeric_limits<double>::quiet_NaN()};
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/verdict/footstep_log.h"
+#include "sim/verdict/plan_log.h"
 
 namespace sidestep {
 

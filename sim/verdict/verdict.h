@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -68,19 +69,33 @@ struct Verdict {
   std::vector<ExpectationResult> expectations;  ///< In the scenario's order.
 };
 
-/// One planned contact that began in the run, beside what the truth made of it.
+/// One contact of a foot: the scenario's, what the controller planned for it and what the truth
+/// made of it; sim/verdict/footsteps.h tells how they are paired.
 struct FootstepRecord {
   int foot{0};
-  PlannedContact contact;  ///< As planned on the control tick that began it.
-  /// Truth at the first tick with plan and truth both in contact; empty if it never landed.
-  std::optional<Eigen::Vector3d> realised_p_WF;
-  double slip_m{0.0};  ///< Farthest slide while it lasted; see SlipMeter.
+  /// Of the scenario's gait, but for the place, box and yaw that the controller planned for it when
+  /// it began. Index -1: a step that the gait does not have.
+  PlannedContact contact;
+  std::optional<Eigen::Vector3d> realised_p_WF;  ///< Where the foot came down; empty if it didn't.
+  double slip_m{0.0};  ///< Farthest slide until the foot stepped again; see SlipMeter.
 };
 
-/// One push as the world applied it.
+/// What followed a push, in its window: from its start to the next push's, or to the end of the
+/// run. Pushes at most 1 s apart share one; sim/verdict/push_meter.h defines it all.
+struct PushFigures {
+  bool recovered{false};
+  double recovery_time_s{std::numeric_limits<double>::infinity()};  ///< From its end; else never.
+  double peak_tilt_rad{std::numeric_limits<double>::quiet_NaN()};   ///< From the start's attitude.
+  int steps_taken{0};                                               ///< Touch-downs.
+  double max_step_adjustment_m{0.0};                                ///< Of those, in truth.
+  double drift_m{std::numeric_limits<double>::quiet_NaN()};         ///< Off the path, at its end.
+};
+
+/// One push as the world applied it, and what it did to the robot.
 struct PushRecord {
   Push push;
   Eigen::Vector3d impulse_W_Ns{Eigen::Vector3d::Zero()};  ///< Integral of the force.
+  PushFigures figures{};
 };
 
 /// What a joint's motor was put to.

@@ -32,14 +32,25 @@ TEST(MetricsTest, NamesEndInTheirUnit) {
   }
 }
 
-TEST(MetricsTest, FallAndSlipAreTrueOrFalse) {
-  ASSERT_NE(FindMetric("fall"), nullptr);
-  ASSERT_NE(FindMetric("slip"), nullptr);
-  EXPECT_TRUE(FindMetric("fall")->is_bool);
-  EXPECT_TRUE(FindMetric("slip")->is_bool);
+TEST(MetricsTest, FallSlipAndRecoveredAreTrueOrFalse) {
+  for (const char* name : {"fall", "slip", "recovered"}) {
+    ASSERT_NE(FindMetric(name), nullptr) << name;
+    EXPECT_TRUE(FindMetric(name)->is_bool) << name;
+  }
   EXPECT_EQ(std::count_if(KnownMetrics().begin(), KnownMetrics().end(),
                           [](const MetricInfo& metric) { return metric.is_bool; }),
-            2);
+            3);
+}
+
+TEST(MetricsTest, WhatTheControllerPlannedAndSolvedIsAGroupOfItsOwn) {
+  std::set<std::string_view> asked;
+  for (const MetricInfo& metric : KnownMetrics()) {
+    if (metric.group == MetricGroup::kController) asked.insert(metric.name);
+  }
+  EXPECT_EQ(asked, (std::set<std::string_view>{"planned_mean_step_adjustment_m",
+                                               "planned_max_step_adjustment_m", "mpc_failures",
+                                               "wbc_failures", "solver_fallbacks",
+                                               "max_cone_violation_N", "max_box_violation_m"}));
 }
 
 }  // namespace

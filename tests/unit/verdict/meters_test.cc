@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "sim/verdict/fall_meter.h"
 #include "sim/verdict/flight_meter.h"
-#include "sim/verdict/footstep_log.h"
+#include "sim/verdict/plan_log.h"
 #include "sim/verdict/slip_meter.h"
+#include "sim/verdict/stance_meter.h"
 
 namespace sidestep::meters_test {
 namespace {
@@ -23,41 +25,121 @@ FootTruth FootAt(double x_m, double force_N, bool in_contact = true) {
   return foot;
 }
 
+// A foot and what watches it.
+class WatchedFoot {
+ public:
+  void Add(Tick tick, const FootTruth& foot) {
+    stance_.Add(tick, foot);
+    slip_.Add(foot, stance_);
+  }
+  const SlipMeter* operator->() const { return &slip_; }
+
+ private:
+  StanceMeter stance_{kTick_s, kMinLoad_N};
+  SlipMeter slip_;
+};
+
 TEST(SlipMeterTest, SettlingOfTheFirstTenMillisecondsIsNoSlip) {
-  SlipMeter meter(kTick_s, kMinLoad_N);
-  for (Tick tick = 0; tick < 10; ++tick) meter.Add(tick, FootAt(SecondsAt(tick, 0.01), 50.0), true);
-  for (Tick tick = 10; tick < 50; ++tick) meter.Add(tick, FootAt(0.5, 50.0), true);
-  EXPECT_EQ(meter.max_slip_m(), 0.0);
-  meter.Add(50, FootAt(0.503, 50.0), true);
-  EXPECT_NEAR(meter.max_slip_m(), 0.003, 1e-15);
+  WatchedFoot meter;
+  for (Tick tick = 0; tick < 10; ++tick) meter.Add(tick, FootAt(SecondsAt(tick, 0.01), 50.0));
+  for (Tick tick = 10; tick < 50; ++tick) meter.Add(tick, FootAt(0.5, 50.0));
+  EXPECT_EQ(meter->max_slip_m(), 0.0);
+  meter.Add(50, FootAt(0.503, 50.0));
+  EXPECT_NEAR(meter->max_slip_m(), 0.003, 1e-15);
 }
 
 TEST(SlipMeterTest, UnloadedFootMayMove) {
-  SlipMeter meter(kTick_s, kMinLoad_N);
-  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0), true);
-  meter.Add(50, FootAt(0.1, 4.0), true);
-  EXPECT_EQ(meter.max_slip_m(), 0.0);
+  WatchedFoot meter;
+  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0));
+  meter.Add(50, FootAt(0.1, 4.0));
+  EXPECT_EQ(meter->max_slip_m(), 0.0);
+  meter.Add(51, FootAt(0.1, 6.0));
+  EXPECT_NEAR(meter->max_slip_m(), 0.1, 1e-15) << "loaded again in the same stance, it has slid";
 }
 
 TEST(SlipMeterTest, NextStanceHasItsOwnAnchor) {
-  SlipMeter meter(kTick_s, kMinLoad_N);
-  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0), true);
-  meter.Add(50, FootAt(0.002, 50.0), true);
-  for (Tick tick = 51; tick < 150; ++tick) meter.Add(tick, FootAt(0.2, 0.0, false), true);
-  EXPECT_EQ(meter.stance_slip_m(), 0.0);
-  for (Tick tick = 150; tick < 200; ++tick) meter.Add(tick, FootAt(0.4, 50.0), true);
-  EXPECT_EQ(meter.stance_slip_m(), 0.0);
-  EXPECT_NEAR(meter.max_slip_m(), 0.002, 1e-15);
+  WatchedFoot meter;
+  for (Tick tick = 0; tick < 50; ++tick) meter.Add(tick, FootAt(0.0, 50.0));
+  meter.Add(50, FootAt(0.002, 50.0));
+  for (Tick tick = 51; tick < 150; ++tick) meter.Add(tick, FootAt(0.2, 0.0, false));
+  EXPECT_EQ(meter->stance_slip_m(), 0.0);
+  for (Tick tick = 150; tick < 200; ++tick) meter.Add(tick, FootAt(0.4, 50.0));
+  EXPECT_EQ(meter->stance_slip_m(), 0.0);
+  EXPECT_NEAR(meter->max_slip_m(), 0.002, 1e-15);
 }
 
 TEST(SlipMeterTest, FootThatChattersAcrossTheFloorSlips) {
   // Slides 1 mm a tick and loses contact on every fifth: the stance goes on through the bounces.
-  SlipMeter meter(kTick_s, kMinLoad_N);
+  WatchedFoot meter;
   for (Tick tick = 0; tick < 100; ++tick) {
     const bool in_contact = tick % 5 != 4;
-    meter.Add(tick, FootAt(SecondsAt(tick, 0.001), in_contact ? 50.0 : 0.0, in_contact), true);
+    meter.Add(tick, FootAt(SecondsAt(tick, 0.001), in_contact ? 50.0 : 0.0, in_contact));
   }
-  EXPECT_NEAR(meter.max_slip_m(), 0.001 * (98 - 10), 1e-12);
+  EXPECT_NEAR(meter->max_slip_m(), 0.001 * (98 - 10), 1e-12);
+}
+
+TEST(SlipMeterTest, FootThatIsDraggedUnderLoadSlipsAndOneThatOnlyScuffsDoesNot) {
+  // Off the ground until tick 100; on it until 150, moving 1 mm a tick; off again.
+  const auto slip_m = [](double force_N) {
+    WatchedFoot meter;
+    for (Tick tick = 0; tick < 200; ++tick) {
+      const bool touches = tick >= 100 && tick < 150;
+      meter.Add(tick, FootAt(0.001 * static_cast<double>(tick), touches ? force_N : 0.0, touches));
+    }
+    return meter->max_slip_m();
+  };
+  EXPECT_NEAR(slip_m(50.0), 0.001 * (149 - 110), 1e-12) << "its anchor is taken after 10 ms";
+  EXPECT_EQ(slip_m(4.0), 0.0);
+}
+
+StanceMeter AfterTicks(const std::vector<FootTruth>& ticks) {
+  StanceMeter stance(kTick_s, kMinLoad_N);
+  for (std::size_t i = 0; i < ticks.size(); ++i) stance.Add(static_cast<Tick>(i), ticks[i]);
+  return stance;
+}
+
+// `count` ticks of a foot.
+std::vector<FootTruth> Ticks(std::size_t count, double force_N, bool in_contact) {
+  return std::vector<FootTruth>(count, FootAt(0.0, force_N, in_contact));
+}
+
+std::vector<FootTruth> operator+(std::vector<FootTruth> left, const std::vector<FootTruth>& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+TEST(StanceMeterTest, BeginsWithLoadAndNotWithATouch) {
+  EXPECT_FALSE(AfterTicks(Ticks(50, 4.0, true)).stands());
+  const StanceMeter stance = AfterTicks(Ticks(50, 4.0, true) + Ticks(1, 6.0, true));
+  EXPECT_TRUE(stance.stands());
+  EXPECT_EQ(stance.start_tick(), 50);
+  EXPECT_EQ(stance.num_stances(), 1);
+  EXPECT_FALSE(AfterTicks(Ticks(50, 50.0, false)).stands()) << "a force without ground";
+}
+
+TEST(StanceMeterTest, ABounceBelongsToItAndAFlightEndsIt) {
+  const auto stood = Ticks(20, 50.0, true);
+  EXPECT_TRUE(AfterTicks(stood + Ticks(10, 0.0, false)).stands());
+  EXPECT_FALSE(AfterTicks(stood + Ticks(11, 0.0, false)).stands());
+  EXPECT_EQ(AfterTicks(stood + Ticks(10, 0.0, false) + stood).num_stances(), 1);
+  const StanceMeter second = AfterTicks(stood + Ticks(11, 0.0, false) + stood);
+  EXPECT_EQ(second.num_stances(), 2);
+  EXPECT_EQ(second.start_tick(), 31);
+  EXPECT_EQ(AfterTicks(stood + Ticks(300, 0.0, false)).last_contact_tick(), 19);
+}
+
+TEST(StanceMeterTest, GoesOnWithoutLoadWhileTheFootTouches) {
+  const StanceMeter stance = AfterTicks(Ticks(20, 50.0, true) + Ticks(300, 1.0, true));
+  EXPECT_TRUE(stance.stands());
+  EXPECT_FALSE(stance.bears_load());
+}
+
+TEST(StanceMeterTest, LoadIsSettledTenMillisecondsAfterTheStart) {
+  EXPECT_FALSE(AfterTicks(Ticks(10, 50.0, true)).bears_settled_load());
+  EXPECT_TRUE(AfterTicks(Ticks(11, 50.0, true)).bears_settled_load());
+  EXPECT_FALSE(AfterTicks(Ticks(11, 50.0, true) + Ticks(1, 1.0, true)).bears_settled_load());
+  const auto again = Ticks(30, 50.0, true) + Ticks(30, 0.0, false) + Ticks(10, 50.0, true);
+  EXPECT_FALSE(AfterTicks(again).bears_settled_load()) << "each landing settles anew";
 }
 
 // A ballistic flight from tick 10 to 210 whose apex is `rise_m` above 0.5 m, wanted at 0.6 m.
@@ -70,9 +152,7 @@ double ApexError(double rise_m, Tick flight_ticks) {
     const double u = 2.0 * static_cast<double>(tick - 10) / static_cast<double>(flight_ticks) - 1.0;
     const double hill = truth.feet[0].in_contact ? 0.0 : 1.0 - u * u;
     truth.p_WC.z() = 0.5 + rise_m * hill;
-    ControlTick control;
-    control.reference.p_WC.z() = 0.5 + 0.1 * hill;
-    meter.Add(truth, tick % 2 == 0 ? &control : nullptr);
+    meter.Add(truth, 0.5 + 0.1 * hill);
   }
   return meter.max_apex_error_m();
 }

@@ -7,57 +7,114 @@
 #include <functional>
 #include <numbers>
 
+#include "models/support/require.h"
 #include "tests/unit/verdict/verdict_test_support.h"
 
 namespace sidestep::path_meter_test {
 namespace {
 
-using Motion = std::function<void(double time_s, ComReference& reference, WorldTruth& truth)>;
+using Motion = std::function<void(double time_s, WorldTruth& truth)>;
 
-// 500 Hz for 4 s.
-PathFigures FiguresOf(const Scenario& scenario, const Motion& motion,
-                      std::optional<Tick> push_end = {}) {
-  PathMeter meter(scenario);
-  for (Tick tick = 0; tick <= 4000; tick += 2) {
+struct Figures {
+  PathSample last;
+  double max_error_m;
+};
+
+// 500 Hz for 6 s.
+Figures FiguresOf(const Scenario& scenario, const Motion& motion) {
+  PathMeter meter(scenario, NominalMotion(scenario));
+  for (Tick tick = 0; tick <= 6000; tick += 2) {
     WorldTruth truth;
-    ComReference reference;
-    motion(0.001 * static_cast<double>(tick), reference, truth);
-    meter.Add(tick, truth, reference);
+    motion(0.001 * static_cast<double>(tick), truth);
+    meter.Add(tick, truth);
   }
-  return meter.Conclude(push_end);
+  return {meter.last(), meter.max_error_m()};
 }
 
-// Walks along x at 0.5 m/s while swaying; the truth is `lag_s` late.
-Motion LateWalk(double lag_s) {
-  return [=](double time_s, ComReference& reference, WorldTruth& truth) {
-    const auto place = [](double at_s) {
-      return Eigen::Vector3d(0.5 * at_s, 0.03 * std::sin(2.0 * std::numbers::pi * at_s), 0.5);
-    };
-    reference.p_WC = place(time_s);
-    truth.p_WC = place(time_s - lag_s);
+// Walks at 0.125 m/s along x, swaying by 3 cm.
+Scenario WalkScenario() {
+  Scenario scenario = TwoFeetScenario();
+  scenario.control.planner.com_sway = 0.4;
+  return scenario;
+}
+
+// The nominal motion itself, `late_s` late (from the start on it stands), `aside_m` to the left.
+Motion Nominal(const Scenario& scenario, double late_s, double aside_m) {
+  return [nominal = NominalMotion(scenario), late_s, aside_m](double time_s, WorldTruth& truth) {
+    const ComReference at = nominal.ComAt(TickAt(std::max(0.0, time_s - late_s), 0.001));
+    truth.p_WC = at.p_WC + Eigen::Vector3d(0.0, aside_m, 0.0);
+    truth.v_WC = at.v_WC;
   };
 }
 
-TEST(PathMeterTest, LatenessIsNoErrorOnThePathButIsOneAgainstAPathThatFollows) {
-  Scenario scenario = OneFootScenario();
-  EXPECT_LT(FiguresOf(scenario, LateWalk(0.1)).final_path_error_m, 1e-4);
-  scenario.control.planner.follow = FollowMode::kCapturePoint;
-  EXPECT_NEAR(FiguresOf(scenario, LateWalk(0.1)).final_path_error_m, 0.053, 0.003);
+TEST(PathMeterTest, NominalMotionIsOnItsPathAtItsSpeed) {
+  const Scenario scenario = WalkScenario();
+  const Figures figures = FiguresOf(scenario, Nominal(scenario, 0.0, 0.0));
+  EXPECT_LT(figures.max_error_m, 2e-5) << "chords of 10 ms";
+  EXPECT_LT(figures.last.drift_m, 2e-5);
+  EXPECT_LT(figures.last.wander_m, 2e-5);
+  EXPECT_LT(figures.last.speed_error_mps, 1e-4);
+  EXPECT_NEAR(figures.last.speed_mps, 0.125, 1e-3);
 }
 
-TEST(PathMeterTest, LateralOffsetIsTheErrorWhateverFollows) {
-  const Motion offset = [](double time_s, ComReference& reference, WorldTruth& truth) {
-    reference.p_WC = {0.5 * time_s, 0.0, 0.5};
-    truth.p_WC = {0.5 * time_s, time_s > 1.0 && time_s < 2.0 ? 0.12 : 0.04, 0.7};
-  };
-  Scenario scenario = OneFootScenario();
+TEST(PathMeterTest, LatenessIsNoErrorHoweverLargeItGrows) {
+  // 3.5 s are more than two gait cycles: the lag along the line is 0.44 m.
+  const Scenario scenario = WalkScenario();
+  for (const double late_s : {0.1, 0.7, 3.5}) {
+    const Figures figures = FiguresOf(scenario, Nominal(scenario, late_s, 0.0));
+    EXPECT_LT(figures.max_error_m, 2e-5) << late_s;
+  }
+}
+
+TEST(PathMeterTest, WhatThePlannerFollowsDoesNotMatter) {
+  Scenario scenario = WalkScenario();
   for (const FollowMode follow : {FollowMode::kPath, FollowMode::kCapturePoint}) {
     scenario.control.planner.follow = follow;
-    const PathFigures figures = FiguresOf(scenario, offset);
-    EXPECT_NEAR(figures.final_path_error_m, 0.04, 1e-12);
-    EXPECT_NEAR(figures.max_path_error_m, 0.12, 1e-12);
-    EXPECT_TRUE(std::isnan(figures.recovery_time_s)) << "there was no push";
+    EXPECT_LT(FiguresOf(scenario, Nominal(scenario, 0.3, 0.0)).max_error_m, 2e-5);
   }
+}
+
+TEST(PathMeterTest, LateralOffsetIsTheErrorAndItsMeanTheDrift) {
+  Scenario scenario = TwoFeetScenario();  // without sway: along y = 0
+  const Motion walk = Nominal(scenario, 0.0, 0.0);
+  const Figures figures = FiguresOf(scenario, [&](double time_s, WorldTruth& truth) {
+    walk(time_s, truth);
+    truth.p_WC.y() = time_s > 1.0 && time_s < 2.0 ? 0.12 : 0.04;
+    truth.p_WC.z() = 0.7;
+  });
+  EXPECT_NEAR(figures.last.error_m, 0.04, 1e-12);
+  EXPECT_NEAR(figures.max_error_m, 0.12, 1e-12);
+  EXPECT_NEAR(figures.last.drift_m, 0.04, 1e-12);
+  EXPECT_NEAR(figures.last.wander_m, 0.0, 1e-12);
+}
+
+TEST(PathMeterTest, DriftIsTheMeanOffsetOfTheLastCycleAndWanderWhatIsLeft) {
+  // A stand, whose cycle is 1 s; the offset jumps from 0 to 0.2 m a quarter second before the end.
+  const Figures figures = FiguresOf(OneFootScenario(), [](double time_s, WorldTruth& truth) {
+    truth.p_WC.y() = time_s > 5.75 ? 0.2 : 0.0;
+  });
+  EXPECT_NEAR(figures.last.drift_m, 0.05, 1e-3);
+  EXPECT_NEAR(figures.last.wander_m, 0.15, 1e-3);
+  EXPECT_NEAR(figures.last.speed_mps, 0.2, 1e-3) << "0.2 m in the last second";
+}
+
+TEST(PathMeterTest, RobotThatStopsStaysOnThePathAndItsSpeedTells) {
+  const Scenario scenario = TwoFeetScenario();
+  const Motion walk = Nominal(scenario, 0.0, 0.0);
+  const Figures figures = FiguresOf(scenario, [&](double time_s, WorldTruth& truth) {
+    walk(std::min(time_s, 2.0), truth);
+    truth.v_WC.setZero();
+  });
+  EXPECT_LT(figures.max_error_m, 2e-5);
+  EXPECT_NEAR(figures.last.speed_mps, 0.0, 1e-12);
+  EXPECT_NEAR(figures.last.speed_error_mps, 0.125, 1e-3);
+}
+
+TEST(PathMeterTest, RobotThatRunsBeyondThePathsStartIsOffIt) {
+  const Scenario scenario = TwoFeetScenario();
+  const Figures figures =
+      FiguresOf(scenario, [](double time_s, WorldTruth& truth) { truth.p_WC.x() = -0.1 * time_s; });
+  EXPECT_NEAR(figures.last.error_m, 0.6, 2e-3) << "its spline swings back by 1 mm to set off";
 }
 
 TEST(PathMeterTest, SpeedErrorIsAMeanOverTheGaitCycle) {
@@ -65,42 +122,12 @@ TEST(PathMeterTest, SpeedErrorIsAMeanOverTheGaitCycle) {
   scenario.gait[0].type = GaitType::kHop;
   scenario.gait[0].stance_s = 0.15;
   scenario.gait[0].flight_s = 0.25;
-  const PathFigures figures =
-      FiguresOf(scenario, [](double time_s, ComReference& reference, WorldTruth& truth) {
-        reference.v_WC.x() = 0.5;
-        // A ripple of the cycle's period cancels; a steady 0.03 m/s to the left stays.
-        truth.v_WC = {0.5 + 0.4 * std::sin(2.0 * std::numbers::pi * time_s / 0.4), 0.03, 1.0};
-      });
-  EXPECT_NEAR(figures.final_speed_error_mps, 0.03, 1e-10);
-}
-
-TEST(PathMeterTest, RecoveryIsTheLastReturnNotTheFirst) {
-  const Motion pushed_twice = [](double time_s, ComReference&, WorldTruth& truth) {
-    const bool is_away = (time_s > 1.0 && time_s < 1.5) || (time_s > 2.0 && time_s < 2.2);
-    truth.p_WC.y() = is_away ? 0.2 : 0.01;
-  };
-  const Scenario scenario = OneFootScenario();
-  EXPECT_NEAR(FiguresOf(scenario, pushed_twice, 1100).recovery_time_s, 1.1, 0.003);
-  EXPECT_NEAR(FiguresOf(scenario, pushed_twice, 3000).recovery_time_s, 0.0, 1e-12);
-}
-
-TEST(PathMeterTest, RecoveryThatDoesNotLastIsInfinite) {
-  const Motion never_back = [](double time_s, ComReference&, WorldTruth& truth) {
-    truth.p_WC.y() = time_s > 3.9 ? 0.06 : 0.0;
-  };
-  EXPECT_EQ(FiguresOf(OneFootScenario(), never_back, 1000).recovery_time_s, INFINITY);
-  EXPECT_EQ(FiguresOf(OneFootScenario(), LateWalk(0.0), 5000).recovery_time_s, INFINITY)
-      << "the push outlasted the run";
-}
-
-TEST(PathMeterTest, RunningAwayAlongThePathIsNoRecovery) {
-  const Motion too_fast = [](double time_s, ComReference& reference, WorldTruth& truth) {
-    reference.p_WC.x() = 0.5 * time_s;
-    reference.v_WC.x() = 0.5;
-    truth.p_WC.x() = 0.5 * time_s;
-    truth.v_WC.x() = 0.7;
-  };
-  EXPECT_EQ(FiguresOf(OneFootScenario(), too_fast, 1000).recovery_time_s, INFINITY);
+  const Figures figures = FiguresOf(scenario, [](double time_s, WorldTruth& truth) {
+    // A ripple of the cycle's period cancels; a steady 0.03 m/s to the left stays.
+    truth.p_WC.x() = 0.02 * std::sin(2.0 * std::numbers::pi * time_s / 0.4);
+    truth.p_WC.y() = 0.03 * time_s;
+  });
+  EXPECT_NEAR(figures.last.speed_error_mps, 0.03, 1e-10);
 }
 
 TEST(PathMeterTest, GaitCycleHasEveryFootStepOnce) {
@@ -120,9 +147,36 @@ TEST(PathMeterTest, GaitCycleHasEveryFootStepOnce) {
 }
 
 TEST(PathMeterTest, NothingSeenIsNotMeasured) {
-  const PathFigures figures = PathMeter(OneFootScenario()).Conclude({});
-  EXPECT_TRUE(std::isnan(figures.final_path_error_m));
-  EXPECT_TRUE(std::isnan(figures.max_path_error_m));
+  const Scenario scenario = OneFootScenario();
+  const PathMeter meter(scenario, NominalMotion(scenario));
+  EXPECT_TRUE(std::isnan(meter.last().error_m));
+  EXPECT_TRUE(std::isnan(meter.last().drift_m));
+  EXPECT_TRUE(std::isnan(meter.max_error_m()));
+}
+
+TEST(PathMeterTest, SamplesAtTheControlRateOnly) {
+  const Scenario scenario = OneFootScenario();
+  PathMeter meter(scenario, NominalMotion(scenario));
+  EXPECT_TRUE(meter.Samples(0));
+  EXPECT_FALSE(meter.Samples(1));
+  EXPECT_TRUE(meter.Samples(2));
+  EXPECT_THROW(meter.Add(1, WorldTruth{}), ContractViolation);
+}
+
+TEST(PathLineTest, OfPointsAsNearItIsTheOneNearestToNow) {
+  Scenario scenario = OneFootScenario();  // stands at the origin
+  const PathLine line(NominalMotion(scenario), 0.001);
+  EXPECT_NEAR(line.NearestTo({0.1, 0.0}, 500.0, 1000.0, 700).tick, 700.0, 1e-9);
+  EXPECT_NEAR(line.NearestTo({0.1, 0.0}, 500.0, 100.0, 5000).tick, 610.0, 10.0) << "within reach";
+}
+
+TEST(PathLineTest, IsHeldAtItsEnds) {
+  const Scenario scenario = TwoFeetScenario();
+  const NominalMotion nominal(scenario);
+  const PathLine line(nominal, 0.001);
+  EXPECT_EQ(line.At(-100.0), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_NEAR(line.At(1e9).x(), nominal.ComAt(nominal.end_tick()).p_WC.x(), 2e-3);
+  EXPECT_NEAR(line.At(2005.0).x(), nominal.ComAt(2005).p_WC.x(), 1e-5);
 }
 
 }  // namespace

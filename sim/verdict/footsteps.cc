@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/verdict/footsteps.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace sidestep {
+namespace {
+
+// The number of the one of `slots` that is nearest to `tick`; the earlier of two as near.
+std::size_t Nearest(std::span<const Tick> slots, Tick tick) {
+  const auto next = std::upper_bound(slots.begin(), slots.end(), tick);
+  if (next == slots.begin()) return 0;
+  const auto before = static_cast<std::size_t>(next - slots.begin()) - 1;
+  if (next == slots.end()) return before;
+  return *next - tick < tick - slots[before] ? before + 1 : before;
+}
+
+template <typename Items, typename TickOf>
+std::vector<Tick> TicksOf(const Items& items, TickOf tick_of) {
+  std::vector<Tick> ticks;
+  for (const auto& item : items) ticks.push_back(tick_of(item));
+  return ticks;
+}
+
+// `contact` with what the controller planned for it. Its box moves, for it is about the nominal
+// place that the planner had.
+void TakePlan(const PlannedContact& planned, PlannedContact& contact) {
+  const Eigen::Vector3d shift_F =
+      planned.R_WF.transpose() * (planned.nominal_p_WF - contact.nominal_p_WF);
+  contact.R_WF = planned.R_WF;
+  contact.adjusted_p_WF = planned.adjusted_p_WF;
+  contact.box_lower_m = planned.box_lower_m + shift_F;
+  contact.box_upper_m = planned.box_upper_m + shift_F;
+}
+
+void TakeTruth(const TouchDown& touch_down, FootstepRecord& record) {
+  record.realised_p_WF = touch_down.p_WF;
+  record.slip_m = touch_down.slip_m;
+}
+
+// One foot's records, and what is needed to pair them.
+class FootJoiner {
+ public:
+  FootJoiner(std::size_t foot, const NominalMotion& nominal, const StepLog& steps,
+             const PlanLog& plan)
+      : foot_(foot), nominal_(nominal), contacts_(nominal.contacts(foot)), plan_(plan.begun(foot)) {
+    for (const TouchDown& touch_down : steps.touch_downs()) {
+      if (touch_down.foot == foot) touch_downs_.push_back(touch_down);
+    }
+  }
+
+  void Append(Tick last_tick, std::vector<FootstepRecord>& records) {
+    const std::vector<Tick> starts = StartsOf(contacts_);
+    const auto landed = PairByTime(starts, TicksOfTouchDowns());
+    const auto planned = PairByTime(starts, StartsOf(plan_));
+    std::vector<bool> is_met(touch_downs_.size(), false), is_told(plan_.size(), false);
+    for (std::size_t at = 0; at < contacts_.size(); ++at) {
+      if (contacts_[at].start_tick > last_tick && !landed[at]) continue;
+      FootstepRecord record{static_cast<int>(foot_), contacts_[at], std::nullopt, 0.0};
+      if (planned[at]) TakePlan(plan_[*planned[at]], record.contact);
+      if (landed[at]) TakeTruth(touch_downs_[*landed[at]], record);
+      if (planned[at]) is_told[*planned[at]] = true;
+      if (landed[at]) is_met[*landed[at]] = true;
+      records.push_back(record);
+    }
+    KeepUnpaired(is_met, touch_downs_);
+    KeepUnpaired(is_told, plan_);
+    AppendExtras(records);
+  }
+
+ private:
+  static std::vector<Tick> StartsOf(const std::vector<PlannedContact>& contacts) {
+    return TicksOf(contacts, [](const PlannedContact& contact) { return contact.start_tick; });
+  }
+  std::vector<Tick> TicksOfTouchDowns() const {
+    return TicksOf(touch_downs_, [](const TouchDown& touch_down) { return touch_down.tick; });
+  }
+
+  template <typename Item>
+  static void KeepUnpaired(const std::vector<bool>& is_paired, std::vector<Item>& items) {
+    std::size_t at = 0;
+    std::erase_if(items, [&](const Item&) { return is_paired[at++]; });
+  }
+
+  // Steps that the gait does not have, about the place that it has for the foot around then.
+  void AppendExtras(std::vector<FootstepRecord>& records) const {
+    const auto planned = PairByTime(TicksOfTouchDowns(), StartsOf(plan_));
+    for (std::size_t at = 0; at < touch_downs_.size(); ++at) {
+      const TouchDown& touch_down = touch_downs_[at];
+      FootstepRecord record{static_cast<int>(foot_),
+                            contacts_[nominal_.NearestContact(foot_, touch_down.tick)],
+                            std::nullopt, 0.0};
+      record.contact.index = -1;
+      record.contact.start_tick = touch_down.tick;
+      record.contact.end_tick = touch_down.end_tick;
+      if (planned[at]) TakePlan(plan_[*planned[at]], record.contact);
+      TakeTruth(touch_down, record);
+      records.push_back(record);
+    }
+  }
+
+  std::size_t foot_;
+  const NominalMotion& nominal_;
+  const std::vector<PlannedContact>& contacts_;
+  std::vector<PlannedContact> plan_;
+  std::vector<TouchDown> touch_downs_;
+};
+
+}  // namespace
+
+std::vector<std::optional<std::size_t>> PairByTime(std::span<const Tick> slots,
+                                                   std::span<const Tick> events) {
+  std::vector<std::optional<std::size_t>> event_of(slots.size());
+  if (slots.empty()) return event_of;
+  for (std::size_t event = 0; event < events.size(); ++event) {
+    const std::size_t slot = Nearest(slots, events[event]);
+    std::optional<std::size_t>& holder = event_of[slot];
+    const auto distance = [&](std::size_t at) { return std::abs(events[at] - slots[slot]); };
+    if (!holder || distance(event) < distance(*holder)) holder = event;
+  }
+  return event_of;
+}
+
+std::vector<FootstepRecord> MakeFootsteps(const NominalMotion& nominal, const StepLog& steps,
+                                          const PlanLog& plan, Tick last_tick) {
+  std::vector<FootstepRecord> records;
+  for (std::size_t foot = 0; foot < nominal.num_feet(); ++foot) {
+    FootJoiner(foot, nominal, steps, plan).Append(last_tick, records);
+  }
+  std::stable_sort(records.begin(), records.end(), [](const auto& left, const auto& right) {
+    return left.contact.start_tick < right.contact.start_tick;
+  });
+  return records;
+}
+
+}  // namespace sidestep

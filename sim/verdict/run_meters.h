@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// run_meters: all that is measured of one run, tick by tick.
+//
+// Two groups, apart from each other to the end: what the truth shows against the scenario's nominal
+// motion, and what the controller said it planned and solved (SolverMeter, PlanLog). The first
+// never looks at a ControlTick. A value: a copy goes on by itself.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "controller/types/control_tick.h"
+#include "controller/types/tick.h"
+#include "sim/scenario/nominal_motion.h"
+#include "sim/scenario/scenario.h"
+#include "sim/verdict/fall_meter.h"
+#include "sim/verdict/flight_meter.h"
+#include "sim/verdict/joint_meter.h"
+#include "sim/verdict/path_meter.h"
+#include "sim/verdict/plan_log.h"
+#include "sim/verdict/push_meter.h"
+#include "sim/verdict/slip_meter.h"
+#include "sim/verdict/sole_meter.h"
+#include "sim/verdict/solver_meter.h"
+#include "sim/verdict/stance_meter.h"
+#include "sim/verdict/step_log.h"
+#include "sim/verdict/verdict.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+class RunMeters {
+ public:
+  /// @param mass_kg  Of the plant, > 0. @param joints  Of the plant.
+  RunMeters(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints);
+
+  /// Takes one tick, in order, of a finite truth. @param control  Null between control ticks.
+  void Add(Tick tick, const WorldTruth& truth, const ControlTick* control);
+
+  /// Every metric of sim/verdict/metrics.h.
+  Metrics Measure() const;
+
+  std::vector<FootstepRecord> Footsteps() const;  ///< See footsteps.h.
+  std::vector<PushRecord> Pushes() const;         ///< In the scenario's order.
+
+  const FallMeter& fall() const { return fall_; }
+  const SolverMeter& solver() const { return solver_; }
+  const JointMeter& joints() const { return joints_; }
+  double max_slip_m() const;
+  std::optional<Tick> slip_tick() const { return slip_tick_; }  ///< Beyond verdict.max_slip_m.
+  std::optional<Tick> last_tick() const { return last_tick_; }
+
+ private:
+  void Integrate(Tick tick, const WorldTruth& truth);
+  void AddFeet(Tick tick, const WorldTruth& truth);
+  void AddBeforeFall(Tick tick, const WorldTruth& truth, const ControlTick* control);
+  void AddTruthMetrics(Metrics& metrics) const;
+  void AddControllerMetrics(Metrics& metrics) const;
+  Tick FirstPushStart() const;
+
+  std::vector<Push> pushes_;
+  double tick_s_;
+  double slip_bound_m_;
+  NominalMotion nominal_;
+  FallMeter fall_;
+  std::vector<StanceMeter> stances_;  // one a foot, like slip_
+  std::vector<SlipMeter> slip_;
+  SoleMeter sole_;
+  StepLog steps_;
+  JointMeter joints_;
+  FlightMeter flight_;
+  PathMeter path_;
+  PushMeter push_;
+  std::vector<Eigen::Vector3d> impulse_W_Ns_;
+  std::vector<Eigen::Vector3d> push_force_W_N_;  // of the last tick, acting until the next one
+  double energy_J_{0.0};
+  double max_angular_momentum_kgm2ps_{0.0};
+  double max_self_penetration_m_{0.0};
+  std::optional<Tick> slip_tick_;
+  std::optional<Tick> first_tick_;
+  std::optional<Tick> last_tick_;
+  Tick last_standing_tick_{0};  // before any fall
+  double first_x_m_{0.0};
+  double last_x_m_{0.0};
+  SolverMeter solver_;
+  PlanLog plan_;
+};
+
+}  // namespace sidestep

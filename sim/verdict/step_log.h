@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// step_log: where and when the feet came down in truth, and the swings before.
+//
+// A foot has stepped when it stands again after a swing: at least 50 ms off the ground, in which it
+// rose by 5 mm or moved by 1 cm horizontally. Less is rocking. The adjustment of a step needs no
+// controller: it is the step that was taken less the nominal one, horizontally. A step goes from
+// where the other foot stands, or stood last, to the touch-down; with a single foot from where that
+// stood last. So a robot that has drifted off its path, or that is late, pays for no step but the
+// one that it takes elsewhere.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "controller/types/tick.h"
+#include "models/robot_description/robot_description.h"
+#include "sim/scenario/nominal_motion.h"
+#include "sim/verdict/stance_meter.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+/// A foot that came down to stand.
+struct TouchDown {
+  std::size_t foot{0};
+  Tick tick{0};                                   ///< First tick that it bears load.
+  Tick end_tick{0};                               ///< First tick after its last contact so far.
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};  ///< At `tick`.
+  double slip_m{0.0};  ///< Farthest slide until the foot steps again; see SlipMeter.
+  /// Horizontal length of step taken less nominal step (m); empty for the stance of the start. The
+  /// nominal step is that to the foot's nominal contact nearest in time.
+  std::optional<double> adjustment_m;
+};
+
+class StepLog {
+ public:
+  /// @param feet  The robot's, in the order of every other vector of feet. @param tick_s  Length of
+  /// a tick.
+  StepLog(const std::vector<FootDescription>& feet, double tick_s);
+
+  /// Takes one tick. @param stances  One a foot, having seen it. @param stance_slip_m  Likewise, as
+  /// SlipMeter tells. @param nominal  Of the same robot.
+  void Add(Tick tick, const WorldTruth& truth, const std::vector<StanceMeter>& stances,
+           const std::vector<double>& stance_slip_m, const NominalMotion& nominal);
+
+  /// So far, in order of time; those of one tick in the order of feet. The first of each foot is
+  /// the stance of the start.
+  const std::vector<TouchDown>& touch_downs() const { return touch_downs_; }
+
+  /// Adjustments (m) of the steps that came down at or after `from`.
+  std::vector<double> AdjustmentsFrom(Tick from) const;
+
+  /// Smallest apex of the sole's lowest corner above the ground over the finished swings (m); NaN
+  /// if there was none.
+  double min_swing_clearance_m() const;
+
+ private:
+  static constexpr double kLowest_m = -std::numeric_limits<double>::infinity();
+
+  struct Foot {
+    FootDescription description;
+    int num_stances{0};
+    Tick last_contact_tick{0};                   // of a stance
+    std::optional<Eigen::Vector3d> stance_p_WF;  // where it bore load last
+    std::optional<std::size_t> touch_down;       // its latest
+    double apex_m{kLowest_m};                    // since it was last on the ground to stand
+  };
+
+  void NoteTouchDown(Tick tick, std::size_t foot, const FootTruth& truth,
+                     const NominalMotion& nominal);
+  std::optional<double> Adjustment_m(Tick tick, std::size_t foot, const Eigen::Vector3d& p_WF,
+                                     const NominalMotion& nominal) const;
+
+  double tick_s_;
+  std::vector<Foot> feet_;
+  std::vector<TouchDown> touch_downs_;
+  double min_swing_clearance_m_{std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace sidestep
