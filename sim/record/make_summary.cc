@@ -15,6 +15,12 @@ PushSummary SummaryOf(const PushRecord& record, double mass_kg) {
   push.duration_s = record.push.duration_s;
   push.impulse_Ns = record.impulse_W_Ns.norm();
   push.impulse_per_mass_mps = push.impulse_Ns / mass_kg;
+  push.recovered = record.figures.recovered;
+  push.recovery_time_s = record.figures.recovery_time_s;
+  push.peak_tilt_rad = record.figures.peak_tilt_rad;
+  push.steps_taken = record.figures.steps_taken;
+  push.max_step_adjustment_m = record.figures.max_step_adjustment_m;
+  push.drift_m = record.figures.drift_m;
   return push;
 }
 

@@ -63,13 +63,19 @@ struct ExpectationSummary {
   }
 };
 
-/// One push as the world applied it.
+/// One push as the world applied it, and what it did to the robot; see PushFigures.
 struct PushSummary {
   std::string body;
   double start_s{kNotTold};
   double duration_s{kNotTold};
   double impulse_Ns{kNotTold};            ///< Norm of the integral of the force.
   double impulse_per_mass_mps{kNotTold};  ///< That over the plant's mass.
+  bool recovered{false};
+  double recovery_time_s{kNotTold};
+  double peak_tilt_rad{kNotTold};
+  int steps_taken{0};
+  double max_step_adjustment_m{kNotTold};
+  double drift_m{kNotTold};
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -78,6 +84,12 @@ struct PushSummary {
     visit("duration_s", self.duration_s);
     visit("impulse_Ns", self.impulse_Ns);
     visit("impulse_per_mass_mps", self.impulse_per_mass_mps);
+    visit("recovered", self.recovered, kAddedLater);
+    visit("recovery_time_s", self.recovery_time_s, kAddedLater);
+    visit("peak_tilt_rad", self.peak_tilt_rad, kAddedLater);
+    visit("steps_taken", self.steps_taken, kAddedLater);
+    visit("max_step_adjustment_m", self.max_step_adjustment_m, kAddedLater);
+    visit("drift_m", self.drift_m, kAddedLater);
   }
 };
 

@@ -59,6 +59,22 @@ TEST(MakeSummaryTest, PushesTellImpulseAndImpulseOverMass) {
   EXPECT_EQ(push.at("impulse_per_mass_mps"), 2.5);
 }
 
+TEST(MakeSummaryTest, PushesTellWhetherAndHowTheRobotRecovered) {
+  RunOutcome outcome;
+  outcome.mass_kg = 2.0;
+  outcome.pushes.resize(2);
+  outcome.pushes[0].figures = {true, 0.75, 0.3, 4, 0.08, 0.02};
+  const nlohmann::json pushes = Summary(outcome).at("pushes");
+  EXPECT_EQ(pushes[0].at("recovered"), true);
+  EXPECT_EQ(pushes[0].at("recovery_time_s"), 0.75);
+  EXPECT_EQ(pushes[0].at("peak_tilt_rad"), 0.3);
+  EXPECT_EQ(pushes[0].at("steps_taken"), 4);
+  EXPECT_EQ(pushes[0].at("max_step_adjustment_m"), 0.08);
+  EXPECT_EQ(pushes[0].at("drift_m"), 0.02);
+  EXPECT_EQ(pushes[1].at("recovered"), false);
+  EXPECT_TRUE(pushes[1].at("recovery_time_s").is_null()) << "never";
+}
+
 TEST(MakeSummaryTest, PercentilesAreSamplesAndMissesExceedTheDeadline) {
   std::vector<double> solve_ms;
   for (int i = 200; i >= 1; --i) solve_ms.push_back(i);
