@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // centroidal_controller: the control chain of the centroidal plant, which has no joints: measured
-// CoM and momentum -> schedule -> plan -> feet, and the plan's forces and footholds are the command.
+// CoM and momentum -> schedule -> plan -> feet, and the plan's forces and footholds are the
+// command.
 
 #include <memory>
 #include <string>

@@ -27,7 +27,6 @@ struct ControllerSetup {
   std::vector<GaitParams> gait;  ///< What the robot is asked to do, by start_s; the first at 0.
   bool is_centroidal{false};     ///< The plant has no joints: forces at the feet are the command.
   double tick_s{0.001};          ///< One tick.
-  double duration_s{10.0};       ///< The nominal gait is laid out this far and a horizon more.
 };
 
 /// One controller of one robot.

@@ -2,8 +2,9 @@
 #pragma once
 // clone_ptr: an owner of a polymorphic part that is copied with what owns it.
 //
-// A run can be forked in its middle: its controller and world are copied with all their parts. Parts
-// behind an interface offer Clone(); holding them by ClonePtr makes their owner copyable as it is.
+// A run can be forked in its middle: its controller and world are copied with all their parts.
+// Parts behind an interface offer Clone(); holding them by ClonePtr makes their owner copyable as
+// it is.
 
 #include <memory>
 #include <utility>
@@ -16,7 +17,8 @@ template <typename T>
 class ClonePtr {
  public:
   /// Implicit on purpose: factories return unique_ptr.
-  ClonePtr(std::unique_ptr<T> part) : part_(std::move(part)) {}  // NOLINT(google-explicit-constructor)
+  ClonePtr(std::unique_ptr<T> part)
+      : part_(std::move(part)) {}  // NOLINT(google-explicit-constructor)
   ClonePtr(const ClonePtr& other) : part_(other.part_ ? other.part_->Clone() : nullptr) {}
   ClonePtr(ClonePtr&&) noexcept = default;
   ClonePtr& operator=(const ClonePtr& other) {

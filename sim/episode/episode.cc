@@ -7,7 +7,7 @@ namespace sidestep {
 
 ControllerSetup SetupOf(const Scenario& scenario) {
   return {scenario.description_of_robot, scenario.control, scenario.gait,
-          scenario.plant == Plant::kCentroidal, scenario.world.step_s, scenario.duration_s};
+          scenario.plant == Plant::kCentroidal, scenario.world.step_s};
 }
 
 Episode StartEpisode(const Scenario& scenario, const ControllerFactory& make_controller) {
@@ -16,25 +16,15 @@ Episode StartEpisode(const Scenario& scenario, const ControllerFactory& make_con
   Judge judge(scenario, mass_kg, world->joints());
   auto timer = std::make_unique<WallStageTimer>();
   std::unique_ptr<Controller> controller = make_controller(SetupOf(scenario), timer.get());
-  return {scenario,
-          std::move(world),
-          MakeSensorSuite(scenario, mass_kg),
-          std::move(timer),
-          std::move(controller),
-          std::move(judge)};
+  return {scenario,         std::move(world),      MakeSensorSuite(scenario, mass_kg),
+          std::move(timer), std::move(controller), std::move(judge)};
 }
 
 Episode Fork(const Episode& episode) {
   auto timer = std::make_unique<WallStageTimer>();
   std::unique_ptr<Controller> controller = episode.controller->Clone(timer.get());
-  return {episode.scenario,
-          episode.world->Clone(),
-          episode.sensors,
-          std::move(timer),
-          std::move(controller),
-          episode.judge,
-          episode.tick,
-          episode.is_over};
+  return {episode.scenario,      episode.world->Clone(), episode.sensors, std::move(timer),
+          std::move(controller), episode.judge,          episode.tick,    episode.is_over};
 }
 
 }  // namespace sidestep

@@ -35,9 +35,9 @@ void Show(const Episode& episode, const ControlTick& control, const WallTimes& w
     onlookers.recorder->Add(episode.tick, episode.world->truth(), control, wall);
   }
   if (onlookers.dump != nullptr && control.mpc.ran) {
-    onlookers.dump->Add(
-        episode.time_s(), control.mpc.fell_back,
-        [&](const std::string& name) { return episode.controller->LastProblemJson(name); });
+    onlookers.dump->Add(episode.time_s(), control.mpc.fell_back, [&](const std::string& name) {
+      return episode.controller->LastProblemJson(name);
+    });
   }
 }
 
@@ -77,8 +77,8 @@ void RunEpisode(Episode* episode, const Onlookers& onlookers, Tick until) {
     if (tick % progress_period == 0 && onlookers.progress) {
       onlookers.progress(episode->time_s(), scenario.duration_s);
     }
-    episode->is_over = tick == num_ticks || episode->judge.finished() || !world.is_valid() ||
-                       InterruptRequested();
+    episode->is_over =
+        tick == num_ticks || episode->judge.finished() || !world.is_valid() || InterruptRequested();
     if (episode->is_over) break;
     world.Step(tick);
     episode->sensors.Accumulate(world.truth());

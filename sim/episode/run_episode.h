@@ -21,8 +21,8 @@ struct Onlookers {
   EpisodeProgress progress;
 };
 
-/// Moves `episode` on until its duration is over, the judge has seen enough, the physics diverged or
-/// the user interrupts; or, if none of that comes before, to the beginning of tick `until`.
+/// Moves `episode` on until its duration is over, the judge has seen enough, the physics diverged
+/// or the user interrupts; or, if none of that comes before, to the beginning of tick `until`.
 void RunEpisode(Episode* episode, const Onlookers& onlookers,
                 Tick until = std::numeric_limits<Tick>::max());
 

@@ -3,7 +3,6 @@
 
 #include <chrono>
 
-
 namespace sidestep {
 
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options,

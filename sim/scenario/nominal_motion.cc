@@ -2,9 +2,7 @@
 #include "sim/scenario/nominal_motion.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "controller/planner/com_spline.h"
 #include "models/support/require.h"
 
 namespace sidestep {
@@ -23,42 +21,18 @@ NominalGait GaitOf(const Scenario& scenario, Tick end_tick) {
   return BuildNominalGait(scenario.gait, geometry, end_tick, scenario.world.step_s);
 }
 
-// The CoM at a knot: at rest, or as fast as its neighbours say.
-ComReference KnotState(const std::vector<ComKnot>& com, std::size_t at, double tick_s) {
-  ComReference state;
-  state.p_WC = com[at].p_WC;
-  if (com[at].at_rest || at == 0 || at + 1 == com.size()) return state;
-  state.v_WC = (com[at + 1].p_WC - com[at - 1].p_WC) /
-               SecondsAt(com[at + 1].tick - com[at - 1].tick, tick_s);
-  return state;
-}
-
-// The nominal CoM: quintic between the knots.
-ComReference NominalComAt(const std::vector<ComKnot>& com, Tick tick, double tick_s) {
-  const auto next =
-      std::upper_bound(com.begin(), com.end(), tick,
-                       [](Tick value, const ComKnot& knot) { return value < knot.tick; });
-  if (next == com.begin()) return KnotState(com, 0, tick_s);
-  if (next == com.end()) return KnotState(com, com.size() - 1, tick_s);
-  const auto at = static_cast<std::size_t>(next - com.begin());
-  const Tick start = com[at - 1].tick;
-  return QuinticAt(KnotState(com, at - 1, tick_s), KnotState(com, at, tick_s),
-                   SecondsAt(next->tick - start, tick_s), SecondsAt(tick - start, tick_s));
-}
-
 }  // namespace
 
 NominalMotion::NominalMotion(const Scenario& scenario)
     : tick_s_(scenario.world.step_s), end_tick_(TickAt(scenario.duration_s + kMargin_s, tick_s_)) {
-  NominalGait gait = GaitOf(scenario, end_tick_);
-  com_ = std::move(gait.com);
-  for (const std::vector<NominalContact>& contacts : gait.feet) {
+  gait_ = GaitOf(scenario, end_tick_);
+  for (const std::vector<NominalContact>& contacts : gait_.feet) {
     std::vector<PlannedContact>& foot = feet_.emplace_back();
     for (const NominalContact& nominal : contacts) foot.push_back(nominal.contact);
   }
 }
 
-ComReference NominalMotion::ComAt(Tick tick) const { return NominalComAt(com_, tick, tick_s_); }
+ComReference NominalMotion::ComAt(Tick tick) const { return NominalComAt(gait_, tick, tick_s_); }
 
 std::size_t NominalMotion::NearestContact(std::size_t foot, Tick tick) const {
   const std::vector<PlannedContact>& contacts = feet_.at(foot);

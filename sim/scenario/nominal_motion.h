@@ -31,7 +31,7 @@ class NominalMotion {
   std::size_t num_feet() const { return feet_.size(); }
 
   /// Contacts of a foot, by increasing start; number 0 is where it stands at the start. In each,
-  /// adjusted_p_WF is nominal_p_WF. The last one's end is far away.
+  /// adjusted_p_WF is nominal_p_WF. A last one that has no end ends no earlier than end_tick().
   const std::vector<PlannedContact>& contacts(std::size_t foot) const { return feet_.at(foot); }
 
   /// Number of the contact of `foot` whose start is nearest to `tick`; the earlier of two as near.
@@ -48,7 +48,7 @@ class NominalMotion {
  private:
   double tick_s_;
   Tick end_tick_;
-  std::vector<ComKnot> com_;
+  NominalGait gait_;
   std::vector<std::vector<PlannedContact>> feet_;
 };
 

@@ -94,6 +94,7 @@ class FootJoiner {
       record.contact.index = -1;
       record.contact.start_tick = touch_down.tick;
       record.contact.end_tick = touch_down.end_tick;
+      record.contact.end_is_known = true;
       if (planned[at]) TakePlan(plan_[*planned[at]], record.contact);
       TakeTruth(touch_down, record);
       records.push_back(record);

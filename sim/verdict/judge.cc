@@ -40,8 +40,8 @@ Judge& Judge::operator=(const Judge& other) {
   return *this;
 }
 
-Judge::Judge(const Judge& other) : state_(std::make_unique<State>(*other.state_)) {}
 Judge::Judge(Judge&&) noexcept = default;
+Judge& Judge::operator=(Judge&&) noexcept = default;
 Judge::~Judge() = default;
 
 void Judge::Add(Tick tick, const WorldTruth& truth, const ControlTick* control) {

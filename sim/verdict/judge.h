@@ -34,13 +34,12 @@ class Judge {
  public:
   /// @param scenario  Copied. @param mass_kg  Of the plant, > 0. @param joints  Of the plant.
   Judge(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints = {});
-  Judge(const Judge& other);
-  Judge(Judge&&) noexcept;
-  ~Judge();
-
   /// A judge that has seen what `other` has, and goes on by itself.
   Judge(const Judge& other);
   Judge& operator=(const Judge& other);
+  Judge(Judge&&) noexcept;
+  Judge& operator=(Judge&&) noexcept;
+  ~Judge();
 
   /// Takes one tick, in order, each once, from 0 to the end of the run, the last one included.
   /// @param truth    State at `tick`, with the pushes that act from it.
