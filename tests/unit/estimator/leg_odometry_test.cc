@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "sim/world/make_world.h"
+#include "sim/world/mujoco_world.h"
 #include "tests/support/hopper_scenario.h"
 #include "tests/support/watched_controller.h"
 
