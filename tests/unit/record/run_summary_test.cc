@@ -138,7 +138,13 @@ constexpr const char* kPass = R"({
       "start_s": 0.5,
       "duration_s": 0.1,
       "impulse_Ns": 4.0,
-      "impulse_per_mass_mps": 0.2
+      "impulse_per_mass_mps": 0.2,
+      "recovered": true,
+      "recovery_time_s": 0.25,
+      "peak_tilt_rad": 0.125,
+      "steps_taken": 2,
+      "max_step_adjustment_m": 0.0625,
+      "drift_m": 0.5
     }
   ],
   "joints": {
@@ -195,8 +201,13 @@ TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   std::string old = Without(kPass, "  \"joints\"", "  \"solve_time_ms\"");
   old = Without(old, "  \"whole_body_time_ms\"", "  \"versions\"");
   old = Without(old, "    \"mean\"", "    \"p50\"");
+  old = Without(old, ",\n      \"recovered\"", "\n    }\n  ],\n  \"solve_time_ms\"");
   const RunSummary read = Read(old);
   EXPECT_TRUE(read.joints.empty());
+  ASSERT_EQ(read.pushes.size(), 1U);
+  EXPECT_FALSE(read.pushes[0].recovered);
+  EXPECT_TRUE(std::isnan(read.pushes[0].recovery_time_s));
+  EXPECT_EQ(read.pushes[0].impulse_per_mass_mps, 0.2);
   EXPECT_EQ(read.whole_body_time.count, 0);
   EXPECT_TRUE(std::isnan(read.solve_time.mean_ms));
   EXPECT_EQ(read.solve_time.p50_ms, 5.0);
