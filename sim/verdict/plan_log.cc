@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/types/friction_pyramid.h"
 #include "models/support/require.h"
 
 namespace sidestep {
@@ -30,8 +31,7 @@ double ConeViolation_N(const FootTarget& foot, double friction) {
   double violation_N = 0.0;
   for (Eigen::Index vertex = 0; vertex < foot.vertex_force_N.cols(); ++vertex) {
     const Eigen::Vector3d f_F = foot.contact.R_WF.transpose() * foot.vertex_force_N.col(vertex);
-    const double tangential_N = std::abs(f_F.x()) + std::abs(f_F.y());
-    violation_N = std::max({violation_N, tangential_N - friction * f_F.z(), -f_F.z()});
+    violation_N = std::max(violation_N, FrictionViolation_N(f_F, friction));
   }
   return violation_N;
 }
