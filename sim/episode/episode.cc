@@ -6,8 +6,8 @@
 namespace sidestep {
 
 ControllerSetup SetupOf(const Scenario& scenario) {
-  return {scenario.description_of_robot, scenario.control, scenario.gait,
-          scenario.plant == Plant::kCentroidal, scenario.world.step_s};
+  return {scenario.robot, scenario.control, scenario.gait, scenario.plant == Plant::kCentroidal,
+          scenario.world.step_s};
 }
 
 Episode StartEpisode(const Scenario& scenario, const ControllerFactory& make_controller) {

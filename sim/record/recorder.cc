@@ -20,7 +20,7 @@ constexpr char kMpcHeader[] =
 
 std::vector<std::string> FootNames(const Scenario& scenario) {
   std::vector<std::string> names;
-  for (const FootDescription& foot : scenario.description_of_robot.feet) {
+  for (const FootDescription& foot : scenario.robot.feet) {
     names.push_back(foot.name);
   }
   return names;

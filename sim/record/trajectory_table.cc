@@ -79,7 +79,7 @@ TrajectoryTable::TrajectoryTable(const Scenario& scenario, std::vector<JointInfo
     : joints_(std::move(joints)),
       has_references_(scenario.control.mode == ControlMode::kPosition),
       up_B_(UprightAxis(scenario)) {
-  for (const FootDescription& foot : scenario.description_of_robot.feet) feet_.push_back(foot.name);
+  for (const FootDescription& foot : scenario.robot.feet) feet_.push_back(foot.name);
 }
 
 std::string TrajectoryTable::Header() const {

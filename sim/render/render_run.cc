@@ -18,7 +18,7 @@ LoadedRun Load(const std::filesystem::path& run_dir) {
   const Scenario scenario = ReadScenario(run_dir / "scenario.yaml", {});
   LoadedRun run;
   run.model = CompileDrawnWorld(scenario);
-  run.recording = render::LoadRecording(run_dir, *run.model, scenario.description_of_robot.feet);
+  run.recording = render::LoadRecording(run_dir, *run.model, scenario.robot.feet);
   return run;
 }
 

@@ -63,9 +63,9 @@ void CheckMpc(const MpcParams& mpc, const ConfigTree& root) {
 }
 
 void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
-  if (scenario.plant == Plant::kMujoco && !scenario.description_of_robot.model) {
+  if (scenario.plant == Plant::kMujoco && !scenario.robot.model) {
     FailAtEither(root, "plant", "robot",
-                 "= mujoco needs a robot with an MJCF, which '" + scenario.robot +
+                 "= mujoco needs a robot with an MJCF, which '" + scenario.robot_name +
                      "' lacks; write plant: centroidal");
   }
 }
@@ -74,7 +74,7 @@ void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
 /// plant the MPC's forces act: a mode that moves joints means nothing there, and one is only
 /// refused that the scenario itself asks for, for `torque` is every scenario's default.
 void CheckMode(const Scenario& scenario, const ConfigTree& root) {
-  const RobotDescription& robot = scenario.description_of_robot;
+  const RobotDescription& robot = scenario.robot;
   const ControlMode mode = scenario.control.mode;
   const bool has_servos = !robot.joints.empty();
   if (scenario.plant == Plant::kCentroidal) {
@@ -85,13 +85,13 @@ void CheckMode(const Scenario& scenario, const ConfigTree& root) {
   }
   if (mode == ControlMode::kPosition && !has_servos) {
     FailAtEither(root, "control.mode", "robot",
-                 "= position needs a robot with servos, which '" + scenario.robot +
+                 "= position needs a robot with servos, which '" + scenario.robot_name +
                      "' lacks; write mode: torque");
   }
   const auto is_flat = [](const FootDescription& foot) { return foot.vertices_m.cols() > 1; };
   if (mode == ControlMode::kTorque && std::any_of(robot.feet.begin(), robot.feet.end(), is_flat)) {
     FailAtEither(root, "control.mode", "robot",
-                 "= torque needs a robot on point feet, and '" + scenario.robot +
+                 "= torque needs a robot on point feet, and '" + scenario.robot_name +
                      "' has flat ones; write " +
                      (has_servos ? "mode: position" : "plant: centroidal"));
   }
@@ -99,13 +99,13 @@ void CheckMode(const Scenario& scenario, const ConfigTree& root) {
 
 /// Whether the robot can feel what the control block asks of it.
 void CheckSenses(const Scenario& scenario, const ConfigTree& root) {
-  const RobotDescription& robot = scenario.description_of_robot;
+  const RobotDescription& robot = scenario.robot;
   const bool has_body = scenario.plant == Plant::kMujoco;
   const bool estimates = scenario.control.external_wrench == ExternalWrenchKnowledge::kEstimated;
   if (estimates && (!has_body || robot.arm_force_torque.empty())) {
     FailAtEither(root, "control.external_wrench", "robot",
                  "= estimated needs force/torque sensors in the arms, which " +
-                     (has_body ? "'" + scenario.robot + "'" : "the centroidal plant") +
+                     (has_body ? "'" + scenario.robot_name + "'" : "the centroidal plant") +
                      " lacks; write external_wrench: unknown or known");
   }
   const bool feels_the_ground =
@@ -113,13 +113,13 @@ void CheckSenses(const Scenario& scenario, const ConfigTree& root) {
                   [](const FootDescription& foot) { return !foot.force_torque.empty(); });
   if (scenario.control.estimation.push_cutoff_hz > 0.0 && !feels_the_ground) {
     FailAtEither(root, "control.estimation.push_cutoff_hz", "robot",
-                 "> 0 needs force/torque sensors in the feet, which '" + scenario.robot +
+                 "> 0 needs force/torque sensors in the feet, which '" + scenario.robot_name +
                      "' lacks; write push_cutoff_hz: 0");
   }
 }
 
 void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
-  const std::size_t feet = scenario.description_of_robot.feet.size();
+  const std::size_t feet = scenario.robot.feet.size();
   const bool is_list = root.Find("gait") != nullptr && root.Find("gait")->kind == ConfigKind::kList;
   for (std::size_t i = 0; i < scenario.gait.size(); ++i) {
     const GaitParams& gait = scenario.gait[i];
@@ -137,7 +137,7 @@ void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
     if ((needs_two && feet != 2) || (needs_one && feet != 1)) {
       FailAtPath(root, path + ".type",
                  "= " + std::string(EnumName(gait.type)) + " needs a robot of " +
-                     (needs_two ? "2 feet" : "1 foot") + "; '" + scenario.robot + "' has " +
+                     (needs_two ? "2 feet" : "1 foot") + "; '" + scenario.robot_name + "' has " +
                      std::to_string(feet));
     }
     if (feet == 1 && gait.step_width_m != 0.0) {
@@ -149,7 +149,7 @@ void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
 
 /// Parts that a push may name: the MJCF's, or the reduced model's on the centroidal plant.
 std::vector<std::string> PushableParts(const Scenario& scenario) {
-  RobotDescription robot = scenario.description_of_robot;
+  RobotDescription robot = scenario.robot;
   if (scenario.plant == Plant::kCentroidal) robot.model.reset();
   RobotNames names = NamesIn(robot);
   names.bodies.insert(names.bodies.end(), names.frames.begin(), names.frames.end());
@@ -164,7 +164,7 @@ void CheckPushes(const Scenario& scenario, const ConfigTree& root) {
     const std::string path = "pushes." + std::to_string(i);
     if (std::find(parts.begin(), parts.end(), push.body) == parts.end()) {
       FailAtPath(root, path + ".body",
-                 "= '" + push.body + "' is no body or frame of '" + scenario.robot + "'; " +
+                 "= '" + push.body + "' is no body or frame of '" + scenario.robot_name + "'; " +
                      DidYouMean(push.body, parts, "known ones"));
     }
     const double end_s = push.start_s + push.duration_s;

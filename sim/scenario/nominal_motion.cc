@@ -12,7 +12,7 @@ namespace {
 constexpr double kMargin_s = 5.0;
 
 NominalGait GaitOf(const Scenario& scenario, Tick end_tick) {
-  const RobotDescription& robot = scenario.description_of_robot;
+  const RobotDescription& robot = scenario.robot;
   SIDESTEP_REQUIRE(!robot.feet.empty(), robot.name);
   const GaitGeometry geometry{
       static_cast<int>(robot.feet.size()), robot.com_height_m,

@@ -50,12 +50,12 @@ void ReadRobotControl(const std::filesystem::path& robot_file, const NoteSink& n
 void ReadRobot(const ConfigNode& node, const NoteSink& note, Scenario* scenario) {
   const bool is_from_file = node.tree().place.source->is_file;
   const std::filesystem::path folder = is_from_file ? scenario->file.parent_path() : "";
-  const std::filesystem::path robot_file = FindRobot(scenario->robot, folder);
+  const std::filesystem::path robot_file = FindRobot(scenario->robot_name, folder);
   if (robot_file.empty()) {
-    node.Fail("= '" + scenario->robot + "' is neither a robot that ships nor a robot.yaml; " +
-              DidYouMean(scenario->robot, ShippedRobots(), "robots that ship"));
+    node.Fail("= '" + scenario->robot_name + "' is neither a robot that ships nor a robot.yaml; " +
+              DidYouMean(scenario->robot_name, ShippedRobots(), "robots that ship"));
   }
-  scenario->description_of_robot = ReadRobotDescription(robot_file);
+  scenario->robot = ReadRobotDescription(robot_file);
   ReadRobotControl(robot_file, note, &scenario->control);
   // The centroidal plant has no joints: a robot's servos must not stand in a scenario's way there.
   ControlMode& mode = scenario->control.mode;
@@ -109,7 +109,7 @@ Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::
   ReadVersion(map);
   ReadBasics(map, &scenario);
   ReadRobot(map.Required("robot"), note, &scenario);
-  const std::size_t foot_count = scenario.description_of_robot.feet.size();
+  const std::size_t foot_count = scenario.robot.feet.size();
   Scenario::VisitSections(scenario, SectionReader(&map, foot_count));
   map.RejectUnknownKeys();
   CheckScenario(scenario, root);

@@ -89,7 +89,7 @@ struct ScenarioBasics {
   int format{1};
   std::string name;
   std::string description;
-  std::string robot;  ///< As the file names it.
+  std::string robot_name;  ///< As the file names it.
   Plant plant{Plant::kMujoco};
   double duration_s{0.0};
   std::uint64_t seed{1};
@@ -100,7 +100,7 @@ struct ScenarioBasics {
     visit("name", self.name,
           Required("a plain word of letters, digits, '_', '-', '.'; it names the run's folder"));
     visit("description", self.description, "a sentence for the report");
-    visit("robot", self.robot,
+    visit("robot", self.robot_name,
           Required("a robot that ships (see `sidestep robots`), or the path of a robot.yaml"));
     visit("plant", self.plant,
           "mujoco: rigid bodies; centroidal: CoM and momentum alone, for robots without a model");
@@ -112,7 +112,7 @@ struct ScenarioBasics {
 /// A whole scenario: its basics, its sections and the robot it names.
 struct Scenario : ScenarioBasics {
   std::filesystem::path file;  ///< Where it was read from; not part of the resolved file.
-  RobotDescription description_of_robot;
+  RobotDescription robot;
   ControlParams control;
   std::vector<GaitParams> gait;  ///< In order of start_s; the first starts at 0.
   std::vector<Push> pushes;

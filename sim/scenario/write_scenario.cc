@@ -11,13 +11,13 @@ namespace {
 std::string RobotReference(const Scenario& scenario) {
   const std::vector<std::string> shipped = ShippedRobots();
   const bool is_shipped =
-      std::find(shipped.begin(), shipped.end(), scenario.robot) != shipped.end();
-  return is_shipped ? scenario.robot : scenario.description_of_robot.file.string();
+      std::find(shipped.begin(), shipped.end(), scenario.robot_name) != shipped.end();
+  return is_shipped ? scenario.robot_name : scenario.robot.file.string();
 }
 
 void WriteBasics(const Scenario& scenario, YamlWriter* yaml) {
   ScenarioBasics basics = scenario;
-  basics.robot = RobotReference(scenario);
+  basics.robot_name = RobotReference(scenario);
   yaml->Fields(basics);
 }
 

@@ -157,7 +157,7 @@ SensorSuite MakeSensorSuite(const Scenario& scenario, double mass_kg) {
   setup.rate_hz = scenario.control.rate_hz;
   setup.seed = scenario.seed;
   setup.mass_kg = mass_kg;
-  for (const FootDescription& foot : scenario.description_of_robot.feet) {
+  for (const FootDescription& foot : scenario.robot.feet) {
     setup.has_touch.push_back(foot.force_torque.empty());
   }
   return SensorSuite(std::move(setup));

@@ -20,7 +20,7 @@ std::string Compared(const char* what, double measured, const char* relation, do
 
 Eigen::Vector3d UprightAxis(const Scenario& scenario) {
   if (scenario.plant == Plant::kCentroidal) return Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d& rpy_rad = scenario.description_of_robot.base_rpy_rad;
+  const Eigen::Vector3d& rpy_rad = scenario.robot.base_rpy_rad;
   const double roll_rad = rpy_rad.x(), pitch_rad = rpy_rad.y();
   // Last row of Rz(yaw) Ry(pitch) Rx(roll).
   return {-std::sin(pitch_rad), std::cos(pitch_rad) * std::sin(roll_rad),
@@ -37,8 +37,8 @@ FallMeter::FallMeter(const Scenario& scenario)
     : bounds_(scenario.verdict),
       is_centroidal_(scenario.plant == Plant::kCentroidal),
       up_B_(UprightAxis(scenario)),
-      nominal_height_m_(is_centroidal_ ? scenario.description_of_robot.com_height_m
-                                       : scenario.description_of_robot.base_height_m) {}
+      nominal_height_m_(is_centroidal_ ? scenario.robot.com_height_m
+                                       : scenario.robot.base_height_m) {}
 
 void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   const double height_m = is_centroidal_ ? truth.p_WC.z() : truth.p_WB.z();

@@ -31,7 +31,7 @@ PathMeter::PathMeter(const Scenario& scenario, const NominalMotion& nominal)
     : tick_s_(scenario.world.step_s),
       period_(std::max<Tick>(1, TickAt(1.0 / scenario.control.rate_hz, tick_s_))),
       gait_(scenario.gait),
-      num_feet_(scenario.description_of_robot.feet.size()),
+      num_feet_(scenario.robot.feet.size()),
       line_(nominal, tick_s_) {}
 
 const PathSample& PathMeter::Add(Tick tick, const WorldTruth& truth) {

@@ -8,13 +8,12 @@
 namespace sidestep {
 
 MujocoWorld MakeMujocoWorld(const Scenario& scenario) {
-  return MujocoWorld(scenario.description_of_robot, scenario.world, scenario.pushes);
+  return MujocoWorld(scenario.robot, scenario.world, scenario.pushes);
 }
 
 CentroidalWorld MakeCentroidalWorld(const Scenario& scenario) {
   const double start_width_m = scenario.gait.empty() ? 0.0 : scenario.gait.front().step_width_m;
-  return CentroidalWorld(scenario.description_of_robot, start_width_m, scenario.world,
-                         scenario.pushes);
+  return CentroidalWorld(scenario.robot, start_width_m, scenario.world, scenario.pushes);
 }
 
 std::unique_ptr<World> MakeWorld(const Scenario& scenario) {

@@ -134,7 +134,7 @@ MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldPa
 }
 
 MjModelPtr CompileDrawnWorld(const Scenario& scenario) {
-  const RobotDescription& robot = scenario.description_of_robot;
+  const RobotDescription& robot = scenario.robot;
   return scenario.plant == Plant::kCentroidal
              ? CompileCentroidalStandIn(robot, scenario.world)
              : CompileRobotWorld(robot, scenario.world, ModelDetail::kDrawn);

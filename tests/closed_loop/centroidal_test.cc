@@ -24,7 +24,7 @@ const std::string kRecovers =
     "expect={fall: false, recovery_time_s: {max: 3.0}, max_angular_momentum_kgm2ps: {max: 0.3}}";
 
 std::string Told(const std::string& name, const Overrides& overrides) {
-  return ClosedLoopRun(name, overrides).Told();
+  return ClosedLoopRun(name, overrides).Describe();
 }
 
 CsvTable TrajectoryOf(const ClosedLoopRun& run) {
@@ -71,17 +71,17 @@ TEST_P(CentroidalTest, RecoversOnThePapersFriction) {
 
 TEST_P(CentroidalTest, FallsWhenItDoesNothing) {
   const ClosedLoopRun run(GetParam().scenario, {"control.mode=passive"});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST_P(CentroidalTest, FallsUnderTenTimesThePush) {
   const ClosedLoopRun run(GetParam().scenario, {GetParam().Push("50")});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST_P(CentroidalTest, FallsUnderTheShippedPushWhenItMayNotMoveItsSteps) {
   const ClosedLoopRun run(GetParam().scenario, kNoStepAdjustment);
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST_P(CentroidalTest, NeedsNoStepAdjustmentWithoutAPush) {

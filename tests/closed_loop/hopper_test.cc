@@ -22,29 +22,29 @@ const std::vector<std::string> kNoStepAdjustment{"control.mpc.box_lower_m=[0, 0,
 
 TEST(HopperTest, HopsInPlaceAndTravels) {
   const ClosedLoopRun run("hopper_hop");
-  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Told();
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
 }
 
 TEST(HopperTest, SurvivesEveryShippedPush) {
   const ClosedLoopRun run("hopper_push");
-  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Told();
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
 }
 
 TEST(HopperTest, FallsWhenItDoesNothing) {
   const ClosedLoopRun run("hopper_push", {"control.mode=passive"});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST(HopperTest, FallsUnderTenTimesThePush) {
   const ClosedLoopRun run("hopper_push", {kTenTimesThePush});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST(HopperTest, FallsUnderTheShippedPushWhenItMayNotMoveItsSteps) {
   std::vector<std::string> overrides = kNoStepAdjustment;
   overrides.push_back(kFirstPushOnly);
   const ClosedLoopRun run("hopper_push", overrides);
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 // A point foot needs some step to balance at all: two centimetres do, but not for a push.
@@ -53,10 +53,10 @@ TEST(HopperTest, TwoCentimetresOfStepAdjustmentHopButDoNotSave) {
                                      "control.mpc.box_upper_m=[0.02, 0.02, 0]", "duration_s=6.0",
                                      "expect={fall: false}", "pushes=[]"};
   const ClosedLoopRun unpushed("hopper_push", overrides);
-  EXPECT_EQ(unpushed.verdict.verdict_class, VerdictClass::kPass) << unpushed.Told();
+  EXPECT_EQ(unpushed.verdict.verdict_class, VerdictClass::kPass) << unpushed.Describe();
   overrides.back() = kFirstPushOnly;
   const ClosedLoopRun pushed("hopper_push", overrides);
-  EXPECT_TRUE(pushed.FailedBy(reason::kFall)) << pushed.Told();
+  EXPECT_TRUE(pushed.FailedBy(reason::kFall)) << pushed.Describe();
 }
 
 TEST(HopperTest, RunsAlikeTwice) {

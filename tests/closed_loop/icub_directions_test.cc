@@ -44,7 +44,7 @@ int CountSurvived(const std::vector<std::string>& settings) {
       const bool has_survived = run.verdict.verdict_class == VerdictClass::kPass;
       std::printf("  %s, %3d degrees: %s\n",
                   start_s == kMidSwing_s ? "mid swing         " : "mid double support",
-                  360 * i / kDirections, run.Told().c_str());
+                  360 * i / kDirections, run.Describe().c_str());
       survived += has_survived ? 1 : 0;
     }
   }

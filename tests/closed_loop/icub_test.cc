@@ -15,7 +15,7 @@ const std::string kPush = "icub_walk_right_arm_push";
 
 void ExpectPass(const std::string& name, const std::vector<std::string>& overrides = {}) {
   const ClosedLoopRun run(name, overrides);
-  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Told();
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
 }
 
 TEST(IcubTest, Stands) { ExpectPass("icub_stand"); }
@@ -26,12 +26,12 @@ TEST(IcubTest, FallsUnderTwiceTheShoveAtTheChest) {
   const ClosedLoopRun run(
       "icub_stand_push",
       {"pushes=[{body: chest, force_N: [160, 0, 0], start_s: 2.0, duration_s: 0.5}]"});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST(IcubTest, FallsUnderTheShoveAtTheChestIfItDoesNotFeelIt) {
   const ClosedLoopRun run("icub_stand_push", {"control.estimation.push_cutoff_hz=0"});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST(IcubTest, WalksSixteenSteps) { ExpectPass("icub_walk"); }
@@ -56,13 +56,13 @@ TEST(HumanoidTest, AnotherUrdfWalksWithTheSameController) { ExpectPass("humanoid
 
 TEST(IcubTest, FallsWhenItDoesNothing) {
   const ClosedLoopRun run("icub_walk", {"control.mode=passive"});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 TEST(IcubTest, FallsUnderFiveTimesThePush) {
   const ClosedLoopRun run(
       kPush, {"pushes=[{body: r_hand, force_N: [0, 200, 0], start_s: 8.0, duration_s: 1.0}]"});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Told();
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
 }  // namespace

@@ -131,9 +131,9 @@ inline RobotDescription BoxBiped(const TempFolder& folder) {
 inline Scenario BoxBipedScenario(const TempFolder& folder) {
   Scenario scenario;
   scenario.name = "box_biped";
-  scenario.robot = "box_biped";
+  scenario.robot_name = "box_biped";
   scenario.duration_s = 1.0;
-  scenario.description_of_robot = BoxBiped(folder);
+  scenario.robot = BoxBiped(folder);
   scenario.gait.resize(1);
   return scenario;
 }

@@ -27,7 +27,7 @@ struct ClosedLoopRun {
   }
 
   /// Verdict and reasons in one line, for messages.
-  std::string Told() const {
+  std::string Describe() const {
     std::string text(EnumName(verdict.verdict_class));
     for (const Reason& reason : verdict.reasons) text += "; " + reason.kind + ": " + reason.text;
     return text;

@@ -21,7 +21,7 @@ inline Scenario PlainHopper(double height_m = 0.0) {
   Scenario scenario = HoppingHopper();
   scenario.sensors = {};
   scenario.pushes.clear();
-  if (height_m > 0.0) scenario.description_of_robot.base_height_m = height_m;
+  if (height_m > 0.0) scenario.robot.base_height_m = height_m;
   return scenario;
 }
 

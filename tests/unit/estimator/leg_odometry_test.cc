@@ -142,8 +142,8 @@ TEST(LegOdometryOnMujocoTest, TumblingFreelyItFollowsThePerfectSensors) {
   scenario.pushes = {TrunkPush({2.0, 1.0, 0.0}, 0.0, 0.1, {0.1, 0.1, 0.2})};
   MujocoWorld world = MakeMujocoWorld(scenario);
   SensorSuite sensors = MakeSensorSuite(scenario, world.mass_kg());
-  RigidBody body(scenario.description_of_robot);
-  LegOdometry odometry(scenario.description_of_robot, scenario.control.estimation,
+  RigidBody body(scenario.robot);
+  LegOdometry odometry(scenario.robot, scenario.control.estimation,
                        ExternalWrenchKnowledge::kUnknown, kTick_s, body);
   Errors errors;
   for (Tick tick = 0; tick <= 500; ++tick) {

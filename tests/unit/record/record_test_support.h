@@ -19,13 +19,13 @@ inline Scenario TwoFeetScenario() {
   Scenario scenario;
   scenario.name = "two feet";
   scenario.file = "test.yaml";
-  scenario.robot = "two_legs";
+  scenario.robot_name = "two_legs";
   scenario.plant = Plant::kCentroidal;
   scenario.duration_s = 0.1;
   scenario.control.rate_hz = 500.0;
   scenario.gait.resize(1);
   scenario.gait[0].start_s = 0.0;
-  RobotDescription& robot = scenario.description_of_robot;
+  RobotDescription& robot = scenario.robot;
   robot.name = "two_legs";
   robot.file = std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/two_legs/robot.yaml";
   robot.mass_kg = 2.0;
@@ -48,7 +48,7 @@ class ScriptedWorld final : public World {
     written.qpos.setZero(21);
     written.joint_position.setZero(static_cast<Eigen::Index>(joints_.size()));
     written.joint_torque_Nm = written.joint_position;
-    written.feet.resize(scenario.description_of_robot.feet.size());
+    written.feet.resize(scenario.robot.feet.size());
     written.pushes.resize(scenario.pushes.size());
   }
   std::unique_ptr<World> Clone() const override { return std::make_unique<ScriptedWorld>(*this); }

@@ -47,7 +47,7 @@ TEST_F(ApplyOverrideTest, AValueMayHoldAnEqualsSign) {
 
 TEST_F(ApplyOverrideTest, ARobotPathIsRelativeToTheCurrentFolder) {
   const auto robot = std::filesystem::relative(FixtureRobots() / "mini/robot.yaml");
-  EXPECT_EQ(Read(valid_, {"robot=" + robot.string()}).description_of_robot.file,
+  EXPECT_EQ(Read(valid_, {"robot=" + robot.string()}).robot.file,
             FixtureRobots() / "mini/robot.yaml");
 }
 

@@ -93,10 +93,9 @@ TEST_F(CheckScenarioTest, ARobotWithServosOnFlatFeetIsToldOfPositionControl) {
   Scenario scenario = Read(valid_);
   const ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", valid_));
   const auto error = [&] { return folder_.ErrorOf([&] { CheckScenario(scenario, root); }); };
-  scenario.description_of_robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0},
-                                          {"leg", 100.0, 1.0, 5.0, 1.0}};
+  scenario.robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0}, {"leg", 100.0, 1.0, 5.0, 1.0}};
   EXPECT_EQ(error(), "no error") << "servos alone do no harm to torque control";
-  scenario.description_of_robot.feet[0].vertices_m.setZero(3, 4);
+  scenario.robot.feet[0].vertices_m.setZero(3, 4);
   EXPECT_EQ(error(),
             "a.yaml:8:9: error: control.mode = torque needs a robot on point feet, and 'mini' has "
             "flat ones; write mode: position");
@@ -128,9 +127,8 @@ TEST_F(CheckScenarioTest, RobotsThatCanMayDoBoth) {
   scenario.control.mode = ControlMode::kPosition;
   scenario.control.external_wrench = ExternalWrenchKnowledge::kEstimated;
   EXPECT_THROW(CheckScenario(scenario, root), ConfigError);
-  scenario.description_of_robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0},
-                                          {"leg", 100.0, 1.0, 5.0, 1.0}};
-  scenario.description_of_robot.arm_force_torque = {"palm"};
+  scenario.robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0}, {"leg", 100.0, 1.0, 5.0, 1.0}};
+  scenario.robot.arm_force_torque = {"palm"};
   EXPECT_NO_THROW(CheckScenario(scenario, root));
 }
 

@@ -14,8 +14,8 @@ TEST_F(ReadScenarioTest, ReadsEveryBasicKey) {
   const Scenario scenario = Read(valid_);
   EXPECT_EQ(scenario.file, folder_.path() / "a.yaml");
   EXPECT_EQ(scenario.name, "hop");
-  EXPECT_EQ(scenario.robot, "mini");
-  EXPECT_EQ(scenario.description_of_robot.base, "trunk");
+  EXPECT_EQ(scenario.robot_name, "mini");
+  EXPECT_EQ(scenario.robot.base, "trunk");
   EXPECT_EQ(scenario.plant, Plant::kMujoco);
   EXPECT_EQ(scenario.duration_s, 6.0);
   EXPECT_EQ(scenario.seed, 7U);
@@ -40,8 +40,8 @@ TEST_F(ReadScenarioTest, FourKeysAreEnough) {
 TEST_F(ReadScenarioTest, FindsARobotByAPathFromTheScenario) {
   const auto robot = std::filesystem::relative(FixtureRobots() / "mini/robot.yaml", folder_.path());
   const Scenario scenario = Read(Edit(valid_, "robot: mini", "robot: " + robot.string()));
-  EXPECT_EQ(scenario.robot, robot.string());
-  EXPECT_EQ(scenario.description_of_robot.file, FixtureRobots() / "mini/robot.yaml");
+  EXPECT_EQ(scenario.robot_name, robot.string());
+  EXPECT_EQ(scenario.robot.file, FixtureRobots() / "mini/robot.yaml");
 }
 
 TEST_F(ReadScenarioTest, File) {

@@ -79,8 +79,8 @@ void ExpectSameFields(const T& left, const T& right) {
 void ExpectSame(const Scenario& left, const Scenario& right) {
   EXPECT_EQ(left.name, right.name);
   EXPECT_EQ(left.description, right.description);
-  EXPECT_EQ(left.robot, right.robot);
-  EXPECT_EQ(left.description_of_robot.file, right.description_of_robot.file);
+  EXPECT_EQ(left.robot_name, right.robot_name);
+  EXPECT_EQ(left.robot.file, right.robot.file);
   EXPECT_EQ(left.plant, right.plant);
   EXPECT_EQ(left.duration_s, right.duration_s);
   EXPECT_EQ(left.seed, right.seed);
@@ -179,7 +179,7 @@ TEST_F(WriteScenarioTest, ARobotGivenByItsPathIsWrittenAbsolute) {
   const std::string text = ResolvedYaml(scenario);
   EXPECT_NE(text.find((FixtureRobots() / "mini/robot.yaml").string()), std::string::npos);
   const auto elsewhere = folder_.Write("deep/er/b.yaml", text);
-  EXPECT_EQ(ReadScenario(elsewhere).description_of_robot.file, FixtureRobots() / "mini/robot.yaml");
+  EXPECT_EQ(ReadScenario(elsewhere).robot.file, FixtureRobots() / "mini/robot.yaml");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr double kRate_hz = 1000.0;
 Scenario Quiet() {
   Scenario scenario;
   scenario.control.rate_hz = kRate_hz;
-  scenario.description_of_robot.feet.resize(1);
+  scenario.robot.feet.resize(1);
   return scenario;
 }
 
@@ -76,7 +76,7 @@ TEST(SensorSuiteTest, WithoutNoiseSensorsReadTheTruth) {
 
 TEST(SensorSuiteTest, FootWithForceTorqueSensorsHasNoTouch) {
   Scenario scenario = Noisy();
-  scenario.description_of_robot.feet[0].force_torque = {"ankle_ft"};
+  scenario.robot.feet[0].force_torque = {"ankle_ft"};
   EXPECT_EQ(MakeSensorSuite(scenario, 1.0).Read(Truth(), 0).feet[0].normal_force_N, 0.0);
 }
 

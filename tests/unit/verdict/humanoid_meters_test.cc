@@ -184,7 +184,7 @@ TEST(SlipMeterTest, FootThatRollsAboutItsEdgeDoesNotSlip) {
 
 TEST(HumanoidJudgeTest, TellsSolesJointsBodyAndHeights) {
   Scenario scenario = OneFootScenario();
-  scenario.description_of_robot.feet[0] = BoxFoot();
+  scenario.robot.feet[0] = BoxFoot();
   Judge judge(scenario, kTestMass_kg, ThreeJoints());
   Watch(judge, scenario, 100, [](Tick tick, WorldTruth& truth, ControlTick&) {
     const double wave = std::sin(std::numbers::pi * static_cast<double>(tick) / 100.0);
@@ -209,7 +209,7 @@ TEST(HumanoidJudgeTest, TellsSolesJointsBodyAndHeights) {
 
 TEST(HumanoidJudgeTest, WhatAFallenRobotDoesIsNotCounted) {
   Scenario scenario = OneFootScenario();
-  scenario.description_of_robot.feet[0] = BoxFoot();
+  scenario.robot.feet[0] = BoxFoot();
   const RunOutcome outcome =
       OutcomeOf(scenario, 200, [](Tick tick, WorldTruth& truth, ControlTick&) {
         if (tick < 100) return;
@@ -223,7 +223,7 @@ TEST(HumanoidJudgeTest, WhatAFallenRobotDoesIsNotCounted) {
 
 TEST(HumanoidJudgeTest, ClearanceOfABoxFootIsThatOfItsLowestCorner) {
   Scenario scenario = OneFootScenario();
-  scenario.description_of_robot.feet[0] = BoxFoot();
+  scenario.robot.feet[0] = BoxFoot();
   const RunOutcome outcome =
       OutcomeOf(scenario, 400, [](Tick tick, WorldTruth& truth, ControlTick&) {
         const bool swings = tick >= 100 && tick < 300;

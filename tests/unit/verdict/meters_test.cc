@@ -182,7 +182,7 @@ TEST(ConeViolationTest, IsTheWorstOfAllVerticesAndOfBothSides) {
 
 TEST(TiltTest, IsMeasuredFromTheAttitudeAtTheStart) {
   Scenario scenario;
-  scenario.description_of_robot.base_rpy_rad = {0.2, -0.3, 0.9};
+  scenario.robot.base_rpy_rad = {0.2, -0.3, 0.9};
   const Eigen::Quaterniond start = Eigen::AngleAxisd(0.9, Eigen::Vector3d::UnitZ()) *
                                    Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitY()) *
                                    Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX());
@@ -196,7 +196,7 @@ TEST(TiltTest, IsMeasuredFromTheAttitudeAtTheStart) {
 
 TEST(FallMeterTest, BaseThatIsBuiltTiltedHasNotFallen) {
   Scenario scenario;
-  scenario.description_of_robot.base_rpy_rad.y() = -1.2;
+  scenario.robot.base_rpy_rad.y() = -1.2;
   FallMeter meter(scenario);
   WorldTruth truth;
   truth.q_WB = Eigen::AngleAxisd(-1.2, Eigen::Vector3d::UnitY());

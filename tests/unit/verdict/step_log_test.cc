@@ -20,7 +20,7 @@ using Motion = std::function<void(Tick, WorldTruth&)>;
 /// Feet that stand, changed by `motion`, for ticks 0 to `end`.
 StepLog LogOf(const Scenario& scenario, Tick end, const Motion& motion) {
   const NominalMotion nominal(scenario);
-  const auto& feet = scenario.description_of_robot.feet;
+  const auto& feet = scenario.robot.feet;
   StepLog log(feet, kTick_s);
   std::vector<StanceMeter> stances(feet.size(), StanceMeter(kTick_s, kMinLoad_N));
   for (Tick tick = 0; tick <= end; ++tick) {
@@ -137,7 +137,7 @@ TEST(StepLogTest, LowSwingThatGoesSomewhereSetsTheClearance) {
 
 TEST(StepLogTest, TruthOfAnotherRobotBreaksTheContract) {
   const Scenario scenario = OneFootScenario();
-  StepLog log(scenario.description_of_robot.feet, kTick_s);
+  StepLog log(scenario.robot.feet, kTick_s);
   EXPECT_THROW(log.Add(0, StandingTruth(TwoFeetScenario()), {}, {}, NominalMotion(scenario)),
                ContractViolation);
 }

@@ -20,7 +20,7 @@ inline Scenario OneFootScenario() {
   Scenario scenario;
   scenario.name = "test";
   scenario.duration_s = 1.0;
-  RobotDescription& robot = scenario.description_of_robot;
+  RobotDescription& robot = scenario.robot;
   robot.name = "one_foot";
   robot.com_height_m = 0.5;
   robot.base_height_m = 0.6;
@@ -36,7 +36,7 @@ inline WorldTruth StandingTruth(const Scenario& scenario) {
   truth.qpos[3] = 1.0;
   truth.p_WB.z() = 0.6;
   truth.p_WC.z() = 0.5;
-  truth.feet.resize(scenario.description_of_robot.feet.size());
+  truth.feet.resize(scenario.robot.feet.size());
   for (FootTruth& foot : truth.feet) {
     foot.p_WF.z() = 0.02;
     foot.f_F_W.z() = 98.1;
@@ -50,7 +50,7 @@ inline WorldTruth StandingTruth(const Scenario& scenario) {
 inline ControlTick StandingControl(const Scenario& scenario) {
   ControlTick control;
   control.reference.p_WC.z() = 0.5;
-  control.feet.resize(scenario.description_of_robot.feet.size());
+  control.feet.resize(scenario.robot.feet.size());
   for (FootTarget& foot : control.feet) {
     foot.planned_contact = true;
     foot.contact.end_tick = 1 << 20;
@@ -65,8 +65,8 @@ inline ControlTick StandingControl(const Scenario& scenario) {
 /// s.
 inline Scenario TwoFeetScenario() {
   Scenario scenario = OneFootScenario();
-  scenario.description_of_robot.feet = {{"left", "left_sole", {}, Eigen::Vector3d::Zero(), 0.02},
-                                        {"right", "right_sole", {}, Eigen::Vector3d::Zero(), 0.02}};
+  scenario.robot.feet = {{"left", "left_sole", {}, Eigen::Vector3d::Zero(), 0.02},
+                         {"right", "right_sole", {}, Eigen::Vector3d::Zero(), 0.02}};
   scenario.gait[0].type = GaitType::kWalk;
   scenario.gait[0].step_length_m = 0.1;
   scenario.duration_s = 10.0;

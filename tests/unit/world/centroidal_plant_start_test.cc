@@ -22,7 +22,7 @@ TEST(CentroidalPlantStartTest, LeftFootIsFirstAndComRestsAboveTheMean) {
 
 TEST(CentroidalPlantStartTest, SingleFootStandsBelowTheCom) {
   Scenario scenario = TwoFeetScenario();
-  scenario.description_of_robot.feet.pop_back();
+  scenario.robot.feet.pop_back();
   const CentroidalWorld world = MakeCentroidalWorld(scenario);
   EXPECT_EQ(world.truth().feet[0].p_WF, Eigen::Vector3d::Zero());
 }
@@ -54,7 +54,7 @@ TEST(CentroidalPlantStartTest, RecordedPositionsMoveTheStandInsBodies) {
 
 TEST(CentroidalPlantStartTest, MassComesFromTheMjcfWhereTheRobotHasOne) {
   Scenario scenario = TwoFeetScenario();
-  RobotDescription& robot = scenario.description_of_robot;
+  RobotDescription& robot = scenario.robot;
   robot.mass_kg = 0.0;
   robot.model =
       ReadMjcfModel(std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models/hopper/hopper.xml");

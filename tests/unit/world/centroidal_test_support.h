@@ -12,7 +12,7 @@ inline Scenario TwoFeetScenario() {
   scenario.duration_s = 1.0;
   scenario.world.friction = 0.5;
   scenario.world.step_s = 0.001;
-  RobotDescription& robot = scenario.description_of_robot;
+  RobotDescription& robot = scenario.robot;
   robot.name = "two_feet";
   robot.file = "two_feet.yaml";
   robot.mass_kg = 2.0;

@@ -169,7 +169,7 @@ TEST(ForkedRunTest, BoxBipedPushedOffItsFeet) {
   push.duration_s = 0.4;
   push.frame = PushFrame::kBody;
   scenario.pushes = {push};
-  const RobotDescription& robot = scenario.description_of_robot;
+  const RobotDescription& robot = scenario.robot;
   const auto servos_at = [&robot](double shift_rad) {
     ActuatorCommand command;
     command.joint_position.setConstant(static_cast<Eigen::Index>(robot.joints.size()), shift_rad);
@@ -194,7 +194,7 @@ TEST(ForkedRunTest, LimpIcubCollapses) {
       "a.yaml", "sidestep: 1\nname: a\nrobot: icub3\nduration_s: 1\ncontrol: {mode: position}\n"));
   scenario.sensors = BadSensors();
   scenario.control.rate_hz = 1.0 / (kControlPeriod * scenario.world.step_s);
-  const auto joints = static_cast<Eigen::Index>(scenario.description_of_robot.joints.size());
+  const auto joints = static_cast<Eigen::Index>(scenario.robot.joints.size());
   const auto torques_of = [joints](double torque_Nm) {
     return [joints, torque_Nm](const SensorFrame&) {
       ActuatorCommand command;

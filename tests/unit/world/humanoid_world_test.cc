@@ -46,7 +46,7 @@ class HumanoidWorldTest : public testing::Test {
   /// After `ticks` on servos whose references were given once, at the start.
   MujocoWorld Standing(Tick ticks) const {
     MujocoWorld world = MakeMujocoWorld(scenario_);
-    world.Apply(Home(scenario_.description_of_robot));
+    world.Apply(Home(scenario_.robot));
     StepTo(ticks, &world);
     return world;
   }
@@ -71,7 +71,7 @@ TEST_F(HumanoidWorldTest, StandsOnItsServosOverBothFeet) {
   EXPECT_FALSE(truth.body_touches_ground) << "a box welded to the ankle is the foot's";
   EXPECT_EQ(truth.self_contact_depth_m, 0.0);
   EXPECT_EQ(truth.num_saturated, 0);
-  EXPECT_NEAR(truth.p_WB.z(), scenario_.description_of_robot.base_height_m, 0.01);
+  EXPECT_NEAR(truth.p_WB.z(), scenario_.robot.base_height_m, 0.01);
   double weight_N = 0.0;
   for (const FootTruth& foot : truth.feet) {
     EXPECT_TRUE(foot.in_contact);
@@ -140,9 +140,9 @@ TEST_F(HumanoidWorldTest, PushForwardMovesTheCentreOfPressureForward) {
 
 TEST_F(HumanoidWorldTest, GroundWrenchTurnsTheCom) {
   // Dropped from 20 mm, pushed: momentum about the CoM is what the feet's wrenches make of it.
-  scenario_.description_of_robot.base_height_m += 0.02;
+  scenario_.robot.base_height_m += 0.02;
   MujocoWorld world = MakeMujocoWorld(scenario_);
-  world.Apply(Home(scenario_.description_of_robot, 8, 0.1));
+  world.Apply(Home(scenario_.robot, 8, 0.1));
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
   for (Tick tick = 0; tick < 200; ++tick) {
     const std::vector<FootTruth> before = world.truth().feet;
@@ -167,9 +167,9 @@ TEST_F(HumanoidWorldTest, ImuMaySitOnAnotherBodyThanTheBase) {
 }
 
 TEST_F(HumanoidWorldTest, ServosActAtEveryPhysicsStepOnTheReferencesTheyHold) {
-  scenario_.description_of_robot.base_height_m = kHigh_m;
+  scenario_.robot.base_height_m = kHigh_m;
   MujocoWorld world = MakeMujocoWorld(scenario_);
-  world.Apply(Home(scenario_.description_of_robot, 0, 0.2));
+  world.Apply(Home(scenario_.robot, 0, 0.2));
   world.Step(0);
   EXPECT_NEAR(world.truth().joint_torque_Nm[0], 60.0, 1e-9) << "400 x 0.2 is beyond the motor";
   EXPECT_EQ(world.truth().num_saturated, 1);
@@ -195,7 +195,7 @@ TEST_F(HumanoidWorldTest, JointsTellTheirBounds) {
 }
 
 TEST_F(HumanoidWorldTest, LegsInEachOtherTellTheirDepth) {
-  RobotDescription& robot = scenario_.description_of_robot;
+  RobotDescription& robot = scenario_.robot;
   robot.base_height_m = kHigh_m;
   robot.home = {{"l_hip_roll", -0.15}, {"r_hip_roll", 0.15}};
   MujocoWorld world = MakeMujocoWorld(scenario_);
@@ -208,7 +208,7 @@ TEST_F(HumanoidWorldTest, LegsInEachOtherTellTheirDepth) {
 }
 
 TEST_F(HumanoidWorldTest, HeavierPlantIsHeavierInEveryPart) {
-  scenario_.description_of_robot.base_height_m = kHigh_m;
+  scenario_.robot.base_height_m = kHigh_m;
   Push push;
   push.body = "pelvis";
   push.force_N = {0.0, 50.0, 0.0};
@@ -240,7 +240,7 @@ TEST_F(HumanoidWorldTest, HeavierPlantStandsOnMoreTorque) {
 }
 
 TEST_F(HumanoidWorldTest, ServosMustBeThoseOfTheMotors) {
-  std::swap(scenario_.description_of_robot.joints[1], scenario_.description_of_robot.joints[3]);
+  std::swap(scenario_.robot.joints[1], scenario_.robot.joints[3]);
   try {
     const MujocoWorld world = MakeMujocoWorld(scenario_);
     ADD_FAILURE() << "no error";
@@ -252,7 +252,7 @@ TEST_F(HumanoidWorldTest, ServosMustBeThoseOfTheMotors) {
 }
 
 TEST_F(HumanoidWorldTest, SensorThatTheMjcfLacksIsAConfigError) {
-  scenario_.description_of_robot.force_torque[0] = "l_arm_ft";
+  scenario_.robot.force_torque[0] = "l_arm_ft";
   try {
     const MujocoWorld world = MakeMujocoWorld(scenario_);
     ADD_FAILURE() << "no error";

@@ -23,7 +23,7 @@ class Icub3WorldTest : public testing::Test {
  protected:
   /// After a second with the servos' references at home.
   MujocoWorld Standing() const {
-    const RobotDescription& robot = scenario_.description_of_robot;
+    const RobotDescription& robot = scenario_.robot;
     ActuatorCommand command;
     command.joint_position.setZero(static_cast<Eigen::Index>(robot.joints.size()));
     command.joint_velocity = command.joint_position;
@@ -42,7 +42,7 @@ class Icub3WorldTest : public testing::Test {
   /// What a sensor feels, turned into W, less the weight of all that hangs on it: what else acts
   /// there. The robot must be at rest.
   Eigen::Vector3d FeltBeyond(const WorldTruth& truth, const std::string& sensor) const {
-    const auto& names = scenario_.description_of_robot.force_torque;
+    const auto& names = scenario_.robot.force_torque;
     const auto at =
         static_cast<std::size_t>(std::find(names.begin(), names.end(), sensor) - names.begin());
     const MjModelPtr model = CompileDrawnWorld(scenario_);
@@ -72,7 +72,7 @@ TEST_F(Icub3WorldTest, StandsOnItsServosWithItsWeightInTheFeetsSensors) {
   for (std::size_t i = 0; i < 2; ++i) {
     const FootTruth& foot = truth.feet[i];
     Eigen::Vector3d felt_N = Eigen::Vector3d::Zero();
-    for (const std::string& name : scenario_.description_of_robot.feet[i].force_torque) {
+    for (const std::string& name : scenario_.robot.feet[i].force_torque) {
       felt_N += FeltBeyond(truth, name);
     }
     // It stands still but for a sway below 0.01 m/s^2; the soles weigh a kilogram.
@@ -122,15 +122,15 @@ std::vector<Contact> ContactsAt(const mjModel& model, const mjData& state, mjDat
 TEST_F(Icub3WorldTest, ListedContactsAreThoseThatMuJoCosSearchFinds) {
   scenario_.world.friction = 0.37;
   const MjModelPtr listed =
-      CompileRobotWorld(scenario_.description_of_robot, scenario_.world, ModelDetail::kSimulated);
-  scenario_.description_of_robot.model->ground_pairs.clear();
+      CompileRobotWorld(scenario_.robot, scenario_.world, ModelDetail::kSimulated);
+  scenario_.robot.model->ground_pairs.clear();
   const MjModelPtr searched =
-      CompileRobotWorld(scenario_.description_of_robot, scenario_.world, ModelDetail::kSimulated);
+      CompileRobotWorld(scenario_.robot, scenario_.world, ModelDetail::kSimulated);
   EXPECT_EQ(listed->opt.collision, mjCOL_PAIR);
   EXPECT_EQ(searched->opt.collision, mjCOL_ALL);
   const MjDataPtr run = MakeData(*listed), found = MakeData(*listed),
                   expected = MakeData(*searched);
-  PlaceAtHome(*listed, scenario_.description_of_robot, run.get());
+  PlaceAtHome(*listed, scenario_.robot, run.get());
   std::size_t most = 0;
   for (int tick = 0; tick < 2000; ++tick) {
     mj_step(listed.get(), run.get());

@@ -262,7 +262,7 @@ TEST(MujocoWorldTest, MirroredPushGivesMirroredMotion) {
 
 TEST(MujocoWorldTest, NamesThatTheMjcfLacksAreConfigErrors) {
   Scenario scenario = PlainHopper();
-  scenario.description_of_robot.feet[0].name = "hoof";
+  scenario.robot.feet[0].name = "hoof";
   try {
     const MujocoWorld world = MakeMujocoWorld(scenario);
     ADD_FAILURE() << "no error";
