@@ -17,8 +17,8 @@ template <typename T>
 class ClonePtr {
  public:
   /// Implicit on purpose: factories return unique_ptr.
-  ClonePtr(std::unique_ptr<T> part)
-      : part_(std::move(part)) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  ClonePtr(std::unique_ptr<T> part) : part_(std::move(part)) {}
   ClonePtr(const ClonePtr& other) : part_(other.part_ ? other.part_->Clone() : nullptr) {}
   ClonePtr(ClonePtr&&) noexcept = default;
   ClonePtr& operator=(const ClonePtr& other) {

@@ -163,12 +163,13 @@ void TrajectoryTable::WalkTruth(const WorldTruth& truth, Line& line) const {
 
 void TrajectoryTable::WalkBelief(const ControlTick& control, Line& line) const {
   const RobotState& state = control.state;
-  line.Vector("belief_p_WC", {}, "_m", state.p_WC);
-  line.Vector("belief_v_WC", {}, "_mps", state.v_WC);
-  line.Vector("belief_h_C_W", {}, "_kgm2ps", state.angular_momentum);
-  line.Vector("belief_p_WB", {}, "_m", state.p_WB);
-  line.Vector("belief_push_force_W", {}, "_N", state.external_wrench.force_N);
-  line.Vector("belief_push_torque_C_W", {}, "_Nm", state.external_wrench.torque_Nm);
+  const bool believes = !state.feet.empty();
+  line.Vector("belief_p_WC", {}, "_m", state.p_WC, believes);
+  line.Vector("belief_v_WC", {}, "_mps", state.v_WC, believes);
+  line.Vector("belief_h_C_W", {}, "_kgm2ps", state.angular_momentum, believes);
+  line.Vector("belief_p_WB", {}, "_m", state.p_WB, believes);
+  line.Vector("belief_push_force_W", {}, "_N", state.external_wrench.force_N, believes);
+  line.Vector("belief_push_torque_C_W", {}, "_Nm", state.external_wrench.torque_Nm, believes);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const bool is_known = i < state.feet.size();
     const FootState foot = is_known ? state.feet[i] : FootState{};
@@ -182,10 +183,11 @@ void TrajectoryTable::WalkBelief(const ControlTick& control, Line& line) const {
 
 void TrajectoryTable::WalkPlan(const ControlTick& control, Line& line) const {
   const FootTarget no_target;
-  line.Vector("reference_p_WC", {}, "_m", control.reference.p_WC);
-  line.Vector("reference_v_WC", {}, "_mps", control.reference.v_WC);
-  line.Vector("mpc_p_WC", {}, "_m", control.com.p_WC);
-  line.Vector("mpc_v_WC", {}, "_mps", control.com.v_WC);
+  const bool plans = !control.feet.empty();
+  line.Vector("reference_p_WC", {}, "_m", control.reference.p_WC, plans);
+  line.Vector("reference_v_WC", {}, "_mps", control.reference.v_WC, plans);
+  line.Vector("mpc_p_WC", {}, "_m", control.com.p_WC, plans);
+  line.Vector("mpc_v_WC", {}, "_mps", control.com.v_WC, plans);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const bool is_known = i < control.feet.size();
     const FootTarget& foot = is_known ? control.feet[i] : no_target;

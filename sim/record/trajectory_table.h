@@ -3,7 +3,8 @@
 // trajectory_table: the columns of trajectory.csv.
 //
 // One walk over the columns writes both the header and the rows, so that they can't disagree.
-// What a controller does not say (it has no plan, no joints) is an empty cell.
+// What a controller does not say is an empty cell: without feet in its state it believes nothing,
+// without feet among its targets it plans nothing.
 
 #include <string>
 #include <string_view>
