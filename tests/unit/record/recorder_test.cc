@@ -64,6 +64,28 @@ TEST_F(RecorderTest, RowsReadBackBitForBit) {
   EXPECT_EQ(table.header().back(), "wall_mpc_ms") << "wall-clock columns come last";
 }
 
+TEST_F(RecorderTest, AControllerThatOnlyCommandsLeavesBeliefAndPlanEmpty) {
+  const Scenario scenario = TwoFeetScenario();
+  ScriptedWorld world(scenario);
+  Recorder recorder(scenario, world, folder_, {});
+  ControlTick silent;
+  silent.command.torque_Nm.setZero(world.truth().joint_position.size());
+  recorder.Add(0, world.truth(), silent, {1.0, 0.0, 0.0});
+  recorder.Add(2, world.truth(), BusyControl(2), {1.0, 1.0, 0.125});
+  recorder.Finish({}, 0.004, 0.1);
+
+  const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
+  for (const std::string& column : table.header()) {
+    const bool is_thought = column.starts_with("belief_") || column.starts_with("reference_") ||
+                            column.starts_with("mpc_p") || column.starts_with("mpc_v") ||
+                            column.starts_with("mpc_f") || column.starts_with("nominal_") ||
+                            column.starts_with("planned_") || column.starts_with("swing_");
+    if (!is_thought) continue;
+    EXPECT_EQ(table.Text(0, column), "") << column;
+    EXPECT_NE(table.Text(1, column), "") << column;
+  }
+}
+
 TEST_F(RecorderTest, StatesHoldTheStrongestPushAndThePlan) {
   const Scenario scenario = TwoFeetScenario();
   ScriptedWorld world(scenario);
