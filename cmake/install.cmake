@@ -30,6 +30,8 @@ foreach(floor models controller sim)
   list(APPEND rooms ${libraries})
 endforeach()
 
+list(REMOVE_ITEM rooms sidestep_console)  # the program's own words on the screen
+
 # One name for all of them; the linker takes only what a program calls.
 add_library(sidestep_everything INTERFACE)
 target_link_libraries(sidestep_everything INTERFACE ${rooms})

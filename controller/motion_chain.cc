@@ -58,9 +58,7 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
     report_ = mpc_.report();
   }
   if (mpc_.Activate(tick)) {  // the chain's one arrow back: what was planned is where feet will go
-    for (const mpc::Foothold& foothold : mpc_.footholds()) {
-      planner_.AdoptFoothold(foothold.foot, foothold.index, foothold.p_WF);
-    }
+    planner_.AdoptFootholds(mpc_.footholds());
   }
   if (mpc_.has_plan()) com_ = mpc_.ComAt(tick);
   return com_;

@@ -14,15 +14,6 @@
 
 namespace sidestep::mpc {
 
-/// A foothold the solution decided.
-struct Foothold {
-  int foot{0};
-  int index{0};  ///< PlannedContact::index.
-  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
-};
-
-/// The stage. Copyable at any tick: original and copy go on bit for bit alike and share nothing.
-/// The copy's storage grows anew, as after a start.
 class CentroidalMpc {
  public:
   CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s);

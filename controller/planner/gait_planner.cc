@@ -115,17 +115,21 @@ const GaitPlanner::Decision* GaitPlanner::DecisionOn(std::size_t foot, int index
   return nullptr;
 }
 
-void GaitPlanner::AdoptFoothold(int foot, int index, const Eigen::Vector3d& p_WF) {
-  const auto at = static_cast<std::size_t>(foot);
-  const NominalContact* nominal = Find(schedule_.feet[at], index);
+void GaitPlanner::AdoptFootholds(const std::vector<Foothold>& footholds) {
+  for (const Foothold& foothold : footholds) Note(foothold);
+  LayOutPlan();
+}
+
+void GaitPlanner::Note(const Foothold& foothold) {
+  const auto at = static_cast<std::size_t>(foothold.foot);
+  const NominalContact* nominal = Find(schedule_.feet[at], foothold.index);
   if (nominal == nullptr) return;
   if (nominal->contact.start_tick <= tick_) {
-    if (!is_felt_[at]) support_.feet[at].nominal.contact.adjusted_p_WF = p_WF;
-  } else {
-    std::erase_if(decided_[at], [index](const Decision& d) { return d.index == index; });
-    decided_[at].push_back({index, p_WF, nominal->contact.nominal_p_WF});
+    if (!is_felt_[at]) support_.feet[at].nominal.contact.adjusted_p_WF = foothold.p_WF;
+    return;
   }
-  LayOutPlan();
+  std::erase_if(decided_[at], [&](const Decision& d) { return d.index == foothold.index; });
+  decided_[at].push_back({foothold.index, foothold.p_WF, nominal->contact.nominal_p_WF});
 }
 
 void GaitPlanner::Adopt(const GaitSupport& support) {

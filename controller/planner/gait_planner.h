@@ -37,10 +37,10 @@ class GaitPlanner {
   /// belief sees its foot. Takes no memory (a copy of a planner: only once).
   const ContactPlan& Update(const RobotState& state, Tick tick);
 
-  /// The arrow back: the MPC puts contact `index` of `foot` at `p_WF`, until it decides otherwise.
+  /// The arrow back: the MPC puts these contacts where it decided, until it decides otherwise.
   /// plan() becomes what Update() would now give. A foot that is felt on the ground stays where it
-  /// is felt, and a contact that is not in the plan is passed over.
-  void AdoptFoothold(int foot, int index, const Eigen::Vector3d& p_WF);
+  /// is felt, and a contact that is not in the plan is passed over. Takes no memory.
+  void AdoptFootholds(const std::vector<Foothold>& footholds);
 
   /// Goes on from `support` (an edit of support(), see schedule_edits.h) instead; plan() with it.
   /// Decided footholds stay with contacts whose nominal place stays.
@@ -76,6 +76,7 @@ class GaitPlanner {
   void NoteFeltFeet(const RobotState& state);
   Eigen::Vector3d ShiftOf(const GaitSupport& support, int sequence) const;
   const Decision* DecisionOn(std::size_t foot, int index) const;
+  void Note(const Foothold& foothold);
   void LayOutPlan();
 
   GaitSetup setup_;

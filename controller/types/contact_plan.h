@@ -24,6 +24,13 @@ struct PlannedContact {
   Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
 };
 
+/// Where the MPC decided that a contact shall be.
+struct Foothold {
+  int foot{0};
+  int index{0};                                   ///< PlannedContact::index.
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};  ///< m.
+};
+
 /// The contacts of every foot that end after now and begin before the horizon's end, by time.
 struct ContactPlan {
   std::vector<std::vector<PlannedContact>> feet;

@@ -49,8 +49,8 @@ struct WbcReport {
   int iterations{0};
 };
 
-/// A controller's answer and, for the log, what it thought. Only `tick` and `command` must be set: a
-/// state without feet says that it believes nothing, no feet that it plans nothing.
+/// A controller's answer and, for the log, what it thought. Only `tick` and `command` must be set:
+/// a state without feet says that it believes nothing, no feet that it plans nothing.
 struct ControlTick {
   Tick tick{0};
   RobotState state;

@@ -35,11 +35,13 @@ ProblemDump ProblemDump::ForkTo(const std::filesystem::path& run_dir) const {
 void ProblemDump::Add(double time_s, bool failed, const ProblemText& problem_text) {
   if (failed) ++num_failed_;
   if (!every_ && (!failed || num_failed_ > kMaxFailed)) return;
-  MakeFolder();
   char name[32];
   std::snprintf(name, sizeof name, "mpc_%07lld", std::llround(1e3 * time_s));
+  const std::string text = problem_text(name);
+  if (text.empty()) return;  // a controller that keeps its problems to itself
+  MakeFolder();
   const std::string file = std::string(name) + ".json";
-  WriteWholeFile(folder_ / file, problem_text(name));
+  WriteWholeFile(folder_ / file, text);
   written_.push_back(file);
 }
 

@@ -56,11 +56,11 @@ class FootJoiner {
     const auto planned = PairByTime(starts, StartsOf(plan_));
     std::vector<bool> is_met(touch_downs_.size(), false), is_told(plan_.size(), false);
     for (std::size_t at = 0; at < contacts_.size(); ++at) {
+      if (planned[at]) is_told[*planned[at]] = true;
       if (contacts_[at].start_tick > last_tick && !landed[at]) continue;
       FootstepRecord record{static_cast<int>(foot_), contacts_[at], std::nullopt, 0.0};
       if (planned[at]) TakePlan(plan_[*planned[at]], record.contact);
       if (landed[at]) TakeTruth(touch_downs_[*landed[at]], record);
-      if (planned[at]) is_told[*planned[at]] = true;
       if (landed[at]) is_met[*landed[at]] = true;
       records.push_back(record);
     }

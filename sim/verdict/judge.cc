@@ -36,7 +36,7 @@ Judge::Judge(const Scenario& scenario, double mass_kg, const std::vector<JointIn
 Judge::Judge(const Judge& other) : state_(std::make_unique<State>(*other.state_)) {}
 
 Judge& Judge::operator=(const Judge& other) {
-  *state_ = *other.state_;
+  state_ = std::make_unique<State>(*other.state_);
   return *this;
 }
 

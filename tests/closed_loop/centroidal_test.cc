@@ -23,7 +23,7 @@ const Overrides kNoStepAdjustment{"control.mpc.box_lower_m=[0, 0, 0]",
 const std::string kRecovers =
     "expect={fall: false, recovery_time_s: {max: 3.0}, max_angular_momentum_kgm2ps: {max: 0.3}}";
 
-std::string Told(const std::string& name, const Overrides& overrides) {
+std::string Describe(const std::string& name, const Overrides& overrides) {
   return ClosedLoopRun(name, overrides).Describe();
 }
 
@@ -52,21 +52,21 @@ struct Model {
 class CentroidalTest : public testing::TestWithParam<Model> {};
 
 TEST_P(CentroidalTest, RecoversFromTheShippedPush) {
-  EXPECT_EQ(Told(GetParam().scenario, {}), "PASS");
+  EXPECT_EQ(Describe(GetParam().scenario, {}), "PASS");
 }
 
 TEST_P(CentroidalTest, RecoversFromTheOppositePush) {
-  EXPECT_EQ(Told(GetParam().scenario, {GetParam().Push("-5")}), "PASS");
+  EXPECT_EQ(Describe(GetParam().scenario, {GetParam().Push("-5")}), "PASS");
 }
 
 TEST_P(CentroidalTest, RecoversFromAPushThatItIsNotToldOf) {
-  EXPECT_EQ(Told(GetParam().scenario, {"control.external_wrench=unknown"}), "PASS");
+  EXPECT_EQ(Describe(GetParam().scenario, {"control.external_wrench=unknown"}), "PASS");
 }
 
 TEST_P(CentroidalTest, RecoversOnThePapersFriction) {
-  EXPECT_EQ(
-      Told(GetParam().scenario, {"control.mpc.friction=0.33", "world.friction=0.33", kRecovers}),
-      "PASS");
+  EXPECT_EQ(Describe(GetParam().scenario,
+                     {"control.mpc.friction=0.33", "world.friction=0.33", kRecovers}),
+            "PASS");
 }
 
 TEST_P(CentroidalTest, FallsWhenItDoesNothing) {
@@ -88,7 +88,7 @@ TEST_P(CentroidalTest, NeedsNoStepAdjustmentWithoutAPush) {
   Overrides overrides = kNoStepAdjustment;
   overrides.emplace_back("pushes=[]");
   overrides.emplace_back("expect={fall: false, final_path_error_m: {max: 0.05}}");
-  EXPECT_EQ(Told(GetParam().scenario, overrides), "PASS");
+  EXPECT_EQ(Describe(GetParam().scenario, overrides), "PASS");
 }
 
 TEST_P(CentroidalTest, RunsAlikeTwice) {

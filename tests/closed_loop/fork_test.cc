@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/episode/run_episode.h"
+#include "sim/record/run_summary.h"
 #include "sim/scenario/read_scenario.h"
 #include "tests/support/run_files.h"
 #include "tests/support/temp_folder.h"
@@ -35,11 +36,20 @@ Scenario Shipped(const std::string& name) {
                       {});
 }
 
+// summary.json without what a clock wrote.
+std::string SummaryText(const std::filesystem::path& run_dir) {
+  RunSummary summary = ReadSummary(run_dir);
+  summary.solve_time = summary.whole_body_time = {};
+  summary.wall_s = summary.real_time_factor = 0.0;
+  return SummaryJson(summary);
+}
+
 // All that a run leaves behind but what a clock wrote.
 std::string Evidence(const std::filesystem::path& run_dir, const RunOutcome& outcome) {
   std::string text = WithoutWallClock(run_dir / "trajectory.csv") +
                      WithoutWallClock(run_dir / "mpc.csv") + TextOf(run_dir / "states.bin") +
-                     TextOf(run_dir / "footsteps.csv") + TextOf(run_dir / "scenario.yaml");
+                     TextOf(run_dir / "footsteps.csv") + TextOf(run_dir / "scenario.yaml") +
+                     SummaryText(run_dir);
   for (const auto& [name, value] : outcome.metrics) {
     char bits[sizeof(double)] = {};
     if (const double* number = std::get_if<double>(&value)) {

@@ -174,7 +174,8 @@ void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run
   WriteMpc(dir, run);
   std::ofstream(dir / "summary.json") << SummaryJson(SummaryOf(run));
   std::ofstream(dir / "scenario.yaml")
-      << "sidestep: 1\ncontrol: {mode: passive}\nname: " << run.name << "\ndescription: A toy is pushed to the left.\n"
+      << "sidestep: 1\ncontrol: {mode: passive}\nname: " << run.name
+      << "\ndescription: A toy is pushed to the left.\n"
       << "robot: " << (dir / "robot.yaml").string() << "\nduration_s: " << run.duration_s
       << "\npushes:\n  - {body: trunk, force_N: [0, " << run.push_force_N
       << ", 0], start_s: " << run.push_start_s << ", duration_s: " << run.push_duration_s

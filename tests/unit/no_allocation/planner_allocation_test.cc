@@ -35,11 +35,13 @@ TEST(PlannerAllocationTest, WalkingTakesNoMemory) {
   params.follow = FollowMode::kCapturePoint;
   GaitPlanner planner(Everything(), params, kHorizon);
   const RobotState state = Somewhere();
+  std::vector<Foothold> decided{{0, 0, {0.1, 0.1, 0.0}}};
   const std::int64_t before = CountAllocations();
   std::size_t most = 0;
   for (Tick tick = 0; tick < kEnd; ++tick) {
     const auto& contacts = planner.Update(state, tick).feet[0];
-    planner.AdoptFoothold(0, contacts.back().index, {0.1, 0.1, 0.0});
+    decided[0].index = contacts.back().index;
+    planner.AdoptFootholds(decided);
     most = std::max(most, planner.plan().feet[0].size());
   }
   EXPECT_EQ(CountAllocations() - before, 0);

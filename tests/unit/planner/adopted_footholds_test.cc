@@ -75,7 +75,7 @@ TEST_P(AdoptedFootholdsTest, PlanIsWhatASecondUpdateOfThatTickWouldGive) {
     const ContactPlan before = planner.Update(state, tick);
     for (int foot = 0; foot < 2; ++foot) {
       for (const PlannedContact& contact : before.feet[static_cast<std::size_t>(foot)]) {
-        planner.AdoptFoothold(foot, contact.index, wanderer.Near(contact.adjusted_p_WF));
+        planner.AdoptFootholds({{foot, contact.index, wanderer.Near(contact.adjusted_p_WF)}});
       }
     }
     GaitPlanner again = planner;
@@ -94,7 +94,7 @@ TEST_P(AdoptedFootholdsTest, CopyGoesOnLikeItsOriginal) {
   Wanderer wanderer;
   for (Tick tick = 0; tick < 2000; tick += 10) {
     planner.Update(wanderer.State(), tick);
-    planner.AdoptFoothold(0, planner.plan().feet[0].back().index, {0.1, 0.1, 0.0});
+    planner.AdoptFootholds({{0, planner.plan().feet[0].back().index, {0.1, 0.1, 0.0}}});
   }
   auto copy = std::make_unique<GaitPlanner>(planner);
   GaitPlanner other = *copy;
@@ -118,8 +118,8 @@ TEST(AdoptedFootholdTest, FeltFootStaysWhereItIsFeltAndUnfeltOneGoes) {
   state.feet[1].in_contact = false;
   planner.Update(state, 100);
   const Eigen::Vector3d decided(0.01, 0.02, 0.0);
-  planner.AdoptFoothold(0, 0, decided);
-  planner.AdoptFoothold(1, 0, decided);
+  planner.AdoptFootholds({{0, 0, decided}});
+  planner.AdoptFootholds({{1, 0, decided}});
   EXPECT_EQ(planner.plan().feet[0][0].adjusted_p_WF, state.feet[0].p_WF);
   EXPECT_EQ(planner.plan().feet[1][0].adjusted_p_WF, decided);
 }
@@ -128,7 +128,7 @@ TEST(AdoptedFootholdTest, ContactThatIsNotInThePlanIsPassedOver) {
   GaitPlanner planner = Walking(FollowMode::kPath);
   Wanderer wanderer;
   const ContactPlan before = planner.Update(wanderer.State(), 100);
-  for (const int index : {-1, 7, 1000}) planner.AdoptFoothold(0, index, {9.0, 9.0, 9.0});
+  for (const int index : {-1, 7, 1000}) planner.AdoptFootholds({{0, index, {9.0, 9.0, 9.0}}});
   EXPECT_TRUE(AreSame(planner.plan(), before));
   for (Tick tick = 110; tick < kEnd; tick += 10) {
     for (const PlannedContact& contact : planner.Update(wanderer.State(), tick).feet[0]) {
@@ -167,7 +167,7 @@ TEST(AdoptTest, DecisionStaysIfThePlaceStaysAndGoesWithIt) {
     for (Tick tick = 0; tick <= 1000; ++tick) planner.Update(wanderer.State(), tick);
     const int next = planner.plan().feet[0].front().index;
     const Eigen::Vector3d decided(0.12, 0.09, 0.0);
-    planner.AdoptFoothold(0, next, decided);
+    planner.AdoptFootholds({{0, next, decided}});
     planner.Adopt(stops ? StopNow(planner.setup(), planner.support(), 1000)
                         : *MoveTouchDown(planner.setup(), planner.support(), 1000, {1, 20}, 200));
     const PlannedContact& contact = planner.plan().feet[0].front();

@@ -166,7 +166,7 @@ TEST(GaitPlannerTest, AdjustedFootholdStaysUntilTheNextDecision) {
   GaitPlanner planner = Hopping(Follow(FollowMode::kCapturePoint));
   const Eigen::Vector3d decided(0.07, -0.02, kSoleHeight_m);
   planner.Update(OnPath(), 100);
-  planner.AdoptFoothold(0, 1, decided);
+  planner.AdoptFootholds({{0, 1, decided}});
   for (Tick tick = 100; tick < kFirstLanding; tick += 10) {
     for (const PlannedContact& contact : planner.Update(OffPath(), tick).feet[0]) {
       if (contact.index == 1) {
@@ -178,7 +178,7 @@ TEST(GaitPlannerTest, AdjustedFootholdStaysUntilTheNextDecision) {
   // It lands unseen by the sensors: still the decided place.
   EXPECT_EQ(planner.Update(OnPath(), kFirstLanding).feet[0][0].adjusted_p_WF, decided);
   const Eigen::Vector3d changed = decided + Eigen::Vector3d(0.01, 0.0, 0.0);
-  planner.AdoptFoothold(0, 2, changed);
+  planner.AdoptFootholds({{0, 2, changed}});
   EXPECT_EQ(planner.Update(OnPath(), kFirstLanding + 1).feet[0][1].adjusted_p_WF, changed);
 }
 
