@@ -3,6 +3,7 @@
 // block, what is carried over unchanged, and the coupling Y of both:
 //
 //   M = carried + G^T V_xx G + G^T Y^T + Y G + own curvature.
+#include "controller/mpc/structured/share_corrections.h"
 #include "controller/mpc/structured/stage_matrix.h"
 #include "controller/mpc/structured/tile.h"
 
@@ -23,50 +24,6 @@ struct StageMatrix {
   /// The same of a pivot's column.
   double* Pivot(int column) const { return stage.panel + column * stage.num_rows; }
 };
-
-// Transposed Jacobian of the next state: rows of the stage x 9, and the gap in the constant's row.
-// What is zero at every point is so from the start.
-void BuildDynamics(const ProblemView& problem, int k, const Evaluation& at,
-                   const Linearization& linear) {
-  const Stage& stage = problem.stages[k];
-  const double step_s = problem.step_s;
-  const int rows = stage.num_active, n = stage.num_slots, x = stage.num_pivots;
-  double* G = stage.dynamics;
-  const double* arm = linear.arm + 3 * stage.first_slot;
-  for (int a = 0; a < 3; ++a) {
-    const int b = (a + 1) % 3, c = (a + 2) % 3;
-    double* force = G + (3 + a) * rows + a * n;
-    // Moment c of a unit force along a is the arm's b component with sign -, and so on.
-    double* moment_b = G + (6 + b) * rows + a * n;
-    double* moment_c = G + (6 + c) * rows + a * n;
-    for (int j = 0; j < n; ++j) {
-      force[j] = step_s;
-      moment_b[j] = step_s * arm[c * n + j];
-      moment_c[j] = -step_s * arm[b * n + j];
-    }
-    G[a * rows + x + a] = 1.0;
-    G[a * rows + x + 3 + a] = step_s;
-    G[(3 + a) * rows + x + 3 + a] = 1.0;
-    G[(6 + a) * rows + x + 6 + a] = 1.0;
-    for (int d = 0; d < 3; ++d) {
-      G[(6 + a) * rows + x + d] = step_s * SkewEntry(linear.force + 3 * k, a, d);
-    }
-  }
-  for (int i = 0; i < 9; ++i) G[i * rows + x + kOneRow] = at.gap[9 * k + i];
-  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
-    const ContactBlock& block = problem.blocks[b];
-    if (block.location < 0) continue;
-    const double* R = problem.rotation + 9 * block.location;
-    const double* is_free = problem.is_free + 3 * block.location;
-    const int row = problem.alive[block.alive].row;
-    for (int d = 0; d < 3; ++d) {  // (R e_d) x force.
-      const double axis[3] = {R[d], R[3 + d], R[6 + d]};
-      double turn[3];
-      Cross(axis, linear.block_force + 3 * b, turn);
-      for (int a = 0; a < 3; ++a) G[(6 + a) * rows + row + d] = is_free[d] * step_s * turn[a];
-    }
-  }
-}
 
 // Coupling of the next state with what is carried over.
 void BuildCoupling(const ProblemView& problem, const Stage& stage, const double* next, int stride,
@@ -152,25 +109,6 @@ void AddCarried(const ProblemView& problem, const StageMatrix& matrix, const dou
   }
 }
 
-// What unequal shares add to the symmetry cost's curvature of equal ones, w (I - 1 1^T / n). With
-// r = n s it is w (I - s 1^T)^T (I - s 1^T), whose entry is w (delta_ij - (r_i + r_j - r.r / n) /
-// n).
-__attribute__((noinline)) void AddShareCurvature(const ProblemView& problem,
-                                                 const ContactBlock& block,
-                                                 const StageMatrix& matrix) {
-  const int n = matrix.stage.num_slots;
-  const double* relative = problem.relative_share + matrix.stage.first_slot;
-  for (int a = 0; a < 3; ++a) {
-    const double share = problem.weight_symmetry[a] / block.count;
-    for (int j = block.first; j < block.first + block.count; ++j) {
-      double* column = matrix.Pivot(a * n + j) + a * n;
-      for (int i = j; i < block.first + block.count; ++i) {
-        column[i] -= share * (relative[i] + relative[j] - block.share_square - 1.0);
-      }
-    }
-  }
-}
-
 // Curvature and slope of the stage's forces.
 void AddForces(const ProblemView& problem, const NewtonTerms& terms, const StageMatrix& matrix) {
   const Stage& stage = matrix.stage;
@@ -192,7 +130,7 @@ void AddForces(const ProblemView& problem, const NewtonTerms& terms, const Stage
         column[one] += slope[a * n + j];
       }
     }
-    if (block.has_shares) AddShareCurvature(problem, block, matrix);
+    if (block.has_shares) AddShareCurvature(problem, stage, block);
     for (int j = block.first; j < block.first + block.count; ++j) {
       matrix.Pivot(j)[n + j] += curvature[3 * n + j];
       matrix.Pivot(j)[2 * n + j] += curvature[4 * n + j];

@@ -2,6 +2,7 @@
 #include "controller/mpc/structured/evaluate.h"
 
 #include "controller/mpc/structured/core_math.h"
+#include "controller/mpc/structured/share_corrections.h"
 
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
@@ -66,18 +67,6 @@ const double* Earlier(const ProblemView& problem, const double* point, int k,
   }
   return block.has_previous_force ? problem.previous_u + a * stage.num_slots + block.first
                                   : nullptr;
-}
-
-// Sum of squares of u_j - s_j sum_i u_i. Out of line, as in linearize.cc and assemble_stage.cc: the
-// compiler may not mix it into the arithmetic of equal shares.
-__attribute__((noinline)) double SquaresBesideShares(const double* share, const double* u,
-                                                     double mean, int count) {
-  double sum = 0.0;
-  for (int j = 0; j < count; ++j) {
-    const double deviation = u[j] - share[j] * mean;
-    sum += deviation * deviation;
-  }
-  return sum;
 }
 
 double BlockCost(const ProblemView& problem, const double* point, int k,

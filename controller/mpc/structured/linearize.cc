@@ -2,6 +2,7 @@
 // Gradients, costates and the Lagrangian's stationarity.
 #include "controller/mpc/structured/core_math.h"
 #include "controller/mpc/structured/evaluate.h"
+#include "controller/mpc/structured/share_corrections.h"
 
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
 namespace {
@@ -33,17 +34,6 @@ void StageGeometry(const ProblemView& problem, const double* point, int k, Linea
       force[a] += sum;
     }
   }
-}
-
-// What unequal shares add to the symmetry cost's slope of equal ones, w (u_j - mean). Deviations
-// e_i = u_i - s_i sum_l u_l sum to zero, so that the slope w (e_j - sum_i s_i e_i) is
-// w (u_j - r_j mean - sum_i (r_i - 1) e_i / n) with r = n s.
-__attribute__((noinline)) void AddShareSlope(const double* share, const double* u, double weight,
-                                             double mean, int count, double* slope) {
-  double excess = 0.0;
-  for (int j = 0; j < count; ++j) excess += (share[j] - 1.0) * (u[j] - share[j] * mean);
-  excess /= count;
-  for (int j = 0; j < count; ++j) slope[j] -= weight * ((share[j] - 1.0) * mean + excess);
 }
 
 void BlockGradient(const ProblemView& problem, const double* point, int k,
