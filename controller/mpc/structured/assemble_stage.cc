@@ -157,7 +157,7 @@ void AddDynamicsCurvature(const ProblemView& problem, int k, const Linearization
     const ContactBlock& block = problem.blocks[b];
     if (block.location < 0) continue;
     const double* R = problem.rotation + 9 * block.location;
-    const int row = problem.alive[block.alive].row;
+    const int row = problem.coupled[block.coupled].row;
     for (int d = 0; d < 3; ++d) {
       if (problem.is_free[3 * block.location + d] == 0.0) continue;
       const double axis[3] = {R[d], R[3 + d], R[6 + d]};
@@ -175,20 +175,20 @@ void AddDynamicsCurvature(const ProblemView& problem, int k, const Linearization
 void AddLocations(const ProblemView& problem, const NewtonTerms& terms, const StageMatrix& matrix) {
   const Stage& stage = matrix.stage;
   const int one = stage.num_pivots + kOneRow;
-  for (int i = stage.first_alive; i < stage.first_alive + stage.num_new; ++i) {
-    const AliveLocation& alive = problem.alive[i];
-    const double* hessian = problem.location_hessian + 9 * alive.location;
+  for (int i = stage.first_coupled; i < stage.first_coupled + stage.num_new; ++i) {
+    const CoupledLocation& coupled = problem.coupled[i];
+    const double* hessian = problem.location_hessian + 9 * coupled.location;
     for (int a = 0; a < 3; ++a) {
-      const int entry = 3 * alive.location + a;
-      double* column = matrix.Column(alive.row + a);
+      const int entry = 3 * coupled.location + a;
+      double* column = matrix.Column(coupled.row + a);
       if (problem.is_free[entry] == 0.0) {
-        column[alive.row + a] += 1.0;
+        column[coupled.row + a] += 1.0;
         continue;
       }
-      column[alive.row + a] += terms.box_curvature[entry] + terms.shift;
+      column[coupled.row + a] += terms.box_curvature[entry] + terms.shift;
       column[one] += terms.slope[problem.at.d + entry];
       for (int b = a; b < 3; ++b) {
-        column[alive.row + b] += problem.is_free[3 * alive.location + b] * hessian[3 * a + b];
+        column[coupled.row + b] += problem.is_free[3 * coupled.location + b] * hessian[3 * a + b];
       }
     }
   }

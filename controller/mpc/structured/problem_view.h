@@ -20,7 +20,7 @@ struct ContactBlock {
   int previous{-1};  ///< First of its slots in stage k - 1, -1 if it was not on the ground.
   int next{-1};      ///< First of its slots in stage k + 1, -1 if it leaves or the horizon ends.
   int kept{0};       ///< Offset among the slots that continue from stage k - 1.
-  int alive{-1};     ///< Entry of its location in the stage's list of alive locations.
+  int coupled{-1};   ///< Entry of its location in the stage's list of coupled locations.
   double share_square{1.0};  ///< Mean square of its slots' relative shares.
   bool has_shares{false};    ///< Its slots do not share alike.
   bool has_previous_force{false};
@@ -28,10 +28,10 @@ struct ContactBlock {
 };
 
 /// A location that couples to a stage, and its rows there.
-struct AliveLocation {
+struct CoupledLocation {
   int location{0};
   int row{0};         ///< First of three rows in this stage's matrix.
-  int row_before{0};  ///< The same in stage k - 1's, if alive there.
+  int row_before{0};  ///< The same in stage k - 1's, if coupled there.
 };
 
 /// Neighbouring kept rows of stage k + 1 (not its state) and the rows of stage k that they are.
@@ -47,7 +47,7 @@ struct Carry {
 struct Stage {
   int first_block{0}, num_blocks{0};
   int first_slot{0}, num_slots{0};
-  int first_alive{0}, num_new{0}, num_alive{0};
+  int first_coupled{0}, num_new{0}, num_coupled{0};
   int first_carry{0}, num_carries{0};  ///< From stage k + 1.
   int num_pivots{0};                   ///< Multiple of four.
   int first_of_pivots{0};              ///< Pivots of the stages before.
@@ -90,7 +90,7 @@ struct ProblemView {
   const double* is_free{nullptr};           ///< 3 a location: 1, or 0 where the box has no size.
   Stage* stages{nullptr};                   ///< N + 1.
   const ContactBlock* blocks{nullptr};
-  const AliveLocation* alive{nullptr};
+  const CoupledLocation* coupled{nullptr};
   const Carry* carries{nullptr};
   PointLayout at;
 };

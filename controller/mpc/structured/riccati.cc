@@ -61,10 +61,11 @@ void GatherKept(const ProblemView& problem, int k, const double* direction, doub
   Fill(kept, stage.num_rows - stage.num_pivots, 0.0);
   for (int i = 0; i < 9; ++i) kept[i] = direction[9 * k + i];
   kept[kOneRow] = 1.0;
-  for (int i = stage.first_alive + stage.num_new; i < stage.first_alive + stage.num_alive; ++i) {
-    const AliveLocation& alive = problem.alive[i];
+  for (int i = stage.first_coupled + stage.num_new; i < stage.first_coupled + stage.num_coupled;
+       ++i) {
+    const CoupledLocation& coupled = problem.coupled[i];
     for (int a = 0; a < 3; ++a) {
-      rows[alive.row + a] = direction[problem.at.d + 3 * alive.location + a];
+      rows[coupled.row + a] = direction[problem.at.d + 3 * coupled.location + a];
     }
   }
   for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
@@ -98,10 +99,10 @@ void GatherSlopes(const ProblemView& problem, int k, const double* slope, const 
   rows[stage.num_pivots + kOneRow] = 0.0;  // A constant cost.
   const double* u = slope + problem.at.u + 3 * stage.first_slot;
   for (int j = 0; j < 3 * stage.num_slots; ++j) rows[j] += u[j];
-  for (int i = stage.first_alive; i < stage.first_alive + stage.num_new; ++i) {
-    const AliveLocation& alive = problem.alive[i];
+  for (int i = stage.first_coupled; i < stage.first_coupled + stage.num_new; ++i) {
+    const CoupledLocation& coupled = problem.coupled[i];
     for (int a = 0; a < 3; ++a) {
-      rows[alive.row + a] += slope[problem.at.d + 3 * alive.location + a];
+      rows[coupled.row + a] += slope[problem.at.d + 3 * coupled.location + a];
     }
   }
 }
@@ -163,10 +164,10 @@ void SolveForward(const ProblemView& problem, const NewtonTerms& terms, bool is_
     SolvePivots(stage, is_changed ? terms.change + stage.first_of_pivots : nullptr, rows);
     double* u = direction + problem.at.u + 3 * stage.first_slot;
     for (int j = 0; j < 3 * stage.num_slots; ++j) u[j] = rows[j];
-    for (int i = stage.first_alive; i < stage.first_alive + stage.num_new; ++i) {
-      const AliveLocation& alive = problem.alive[i];
+    for (int i = stage.first_coupled; i < stage.first_coupled + stage.num_new; ++i) {
+      const CoupledLocation& coupled = problem.coupled[i];
       for (int a = 0; a < 3; ++a) {
-        direction[problem.at.d + 3 * alive.location + a] = rows[alive.row + a];
+        direction[problem.at.d + 3 * coupled.location + a] = rows[coupled.row + a];
       }
     }
     if (k == problem.knots) break;

@@ -36,7 +36,7 @@ void BuildDynamics(const ProblemView& problem, int k, const Evaluation& at,
     if (block.location < 0) continue;
     const double* R = problem.rotation + 9 * block.location;
     const double* is_free = problem.is_free + 3 * block.location;
-    const int row = problem.alive[block.alive].row;
+    const int row = problem.coupled[block.coupled].row;
     for (int d = 0; d < 3; ++d) {  // (R e_d) x force.
       const double axis[3] = {R[d], R[3 + d], R[6 + d]};
       double turn[3];

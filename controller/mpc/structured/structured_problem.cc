@@ -37,7 +37,7 @@ void StructuredProblem::Reserve(const CentroidalOcp& ocp) {
   blocks_.reserve(contacts * stages);
   block_contact_.reserve(contacts * stages);
   block_phase_.reserve(contacts * stages);
-  alive_.reserve(2 * contacts * stages);
+  coupled_.reserve(2 * contacts * stages);
   carries_.reserve((1 + 5 * contacts) * stages);
   locations_.reserve(locations);
   first_pivot_.reserve(stages * (rows / 4 + 1));
@@ -93,19 +93,19 @@ void StructuredProblem::AddBlocks(const CentroidalOcp& ocp, int k) {
 }
 
 // A location couples to stages from the one where its foot lands to the last that it pushes in.
-void StructuredProblem::AddAlive(int k) {
+void StructuredProblem::AddCoupled(int k) {
   Stage& stage = stages_[Size(k)];
-  stage.first_alive = static_cast<int>(alive_.size());
+  stage.first_coupled = static_cast<int>(coupled_.size());
   for (const bool is_new : {true, false}) {
     for (int i = 0; i < static_cast<int>(locations_.size()); ++i) {
       const Location& location = locations_[Size(i)];
-      const bool is_alive = is_new ? location.first_knot == k
-                                   : location.first_knot < k && k < location.end_knot &&
-                                         k < static_cast<int>(stages_.size()) - 1;
-      if (!is_alive) continue;
-      alive_.push_back({i, 0, 0});
+      const bool is_coupled = is_new ? location.first_knot == k
+                                     : location.first_knot < k && k < location.end_knot &&
+                                           k < static_cast<int>(stages_.size()) - 1;
+      if (!is_coupled) continue;
+      coupled_.push_back({i, 0, 0});
       stage.num_new += is_new ? 1 : 0;
-      ++stage.num_alive;
+      ++stage.num_coupled;
     }
   }
 }
@@ -113,21 +113,22 @@ void StructuredProblem::AddAlive(int k) {
 void StructuredProblem::SetRows(int k) {
   Stage& stage = stages_[Size(k)];
   stage.num_pivots = RoundUp(3 * stage.num_slots + 3 * stage.num_new);
-  const int num_old = stage.num_alive - stage.num_new;
+  const int num_old = stage.num_coupled - stage.num_new;
   stage.num_active = stage.num_pivots + RoundUp(kStateSize + 1 + 3 * num_old);
   stage.num_rows = stage.num_active + RoundUp(3 * stage.num_kept);
-  for (int i = 0; i < stage.num_alive; ++i) {
-    AliveLocation& alive = alive_[Size(stage.first_alive + i)];
-    alive.row = i < stage.num_new ? 3 * stage.num_slots + 3 * i
-                                  : stage.num_pivots + kOneRow + 1 + 3 * (i - stage.num_new);
+  for (int i = 0; i < stage.num_coupled; ++i) {
+    CoupledLocation& coupled = coupled_[Size(stage.first_coupled + i)];
+    coupled.row = i < stage.num_new ? 3 * stage.num_slots + 3 * i
+                                    : stage.num_pivots + kOneRow + 1 + 3 * (i - stage.num_new);
     for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
-      if (blocks_[Size(b)].location == alive.location)
-        blocks_[Size(b)].alive = stage.first_alive + i;
+      if (blocks_[Size(b)].location == coupled.location)
+        blocks_[Size(b)].coupled = stage.first_coupled + i;
     }
     if (k == 0) continue;
     const Stage& before = stages_[Size(k - 1)];
-    for (int j = before.first_alive; j < before.first_alive + before.num_alive; ++j) {
-      if (alive_[Size(j)].location == alive.location) alive.row_before = alive_[Size(j)].row;
+    for (int j = before.first_coupled; j < before.first_coupled + before.num_coupled; ++j) {
+      if (coupled_[Size(j)].location == coupled.location)
+        coupled.row_before = coupled_[Size(j)].row;
     }
   }
 }
@@ -162,9 +163,9 @@ void StructuredProblem::AddCarries(int k) {
   const Stage& next = stages_[Size(k + 1)];
   stage.first_carry = static_cast<int>(carries_.size());
   carries_.push_back({kOneRow, stage.num_pivots + kOneRow, 1});
-  for (int i = next.first_alive + next.num_new; i < next.first_alive + next.num_alive; ++i) {
-    const AliveLocation& alive = alive_[Size(i)];
-    carries_.push_back({alive.row - next.num_pivots, alive.row_before, 3});
+  for (int i = next.first_coupled + next.num_new; i < next.first_coupled + next.num_coupled; ++i) {
+    const CoupledLocation& coupled = coupled_[Size(i)];
+    carries_.push_back({coupled.row - next.num_pivots, coupled.row_before, 3});
   }
   for (int a = 0; a < 3; ++a) {
     for (int b = next.first_block; b < next.first_block + next.num_blocks; ++b) {

@@ -41,7 +41,7 @@ class StructuredProblem {
   void Reserve(const CentroidalOcp& ocp);
   void FindLocations(const CentroidalOcp& ocp);
   void AddBlocks(const CentroidalOcp& ocp, int k);
-  void AddAlive(int k);
+  void AddCoupled(int k);
   void SetRows(int k);
   void AddMemory(int k);
   void AddCarries(int k);
@@ -57,7 +57,7 @@ class StructuredProblem {
   std::vector<ContactBlock> blocks_;
   std::vector<int> block_contact_;  // One a block.
   std::vector<int> block_phase_;    // One a block.
-  std::vector<AliveLocation> alive_;
+  std::vector<CoupledLocation> coupled_;
   std::vector<Location> locations_;
   std::vector<Carry> carries_;
   std::vector<int> first_pivot_;

@@ -14,14 +14,14 @@ void StructuredProblem::Build(const CentroidalOcp& ocp) {
   blocks_.clear();
   block_contact_.clear();
   block_phase_.clear();
-  alive_.clear();
+  coupled_.clear();
   carries_.clear();
   first_pivot_.clear();
   int num_slots = 0;
   view_.num_pivots = 0;
   for (int k = 0; k <= ocp.knots; ++k) {
     AddBlocks(ocp, k);
-    AddAlive(k);
+    AddCoupled(k);
     SetRows(k);
     AddMemory(k);
     stages_[Size(k)].first_slot = num_slots;
@@ -63,7 +63,7 @@ void StructuredProblem::TakeArrays() {
   view_.is_free = is_free_ = arena_.Take(3 * locations_.size());
   view_.stages = stages_.data();
   view_.blocks = blocks_.data();
-  view_.alive = alive_.data();
+  view_.coupled = coupled_.data();
   view_.carries = carries_.data();
   PointLayout& at = view_.at;
   const int num_d = 3 * view_.num_locations;
