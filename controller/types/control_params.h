@@ -44,6 +44,8 @@ struct EnumNames<ExternalWrenchKnowledge> {
        {ExternalWrenchKnowledge::kKnown, "known"}}};
 };
 
+/// Where the belief comes from. kTruth is for comparisons: it needs SensorFrame::truth, which no
+/// robot has. The centroidal plant has an estimator of its own and heeds neither.
 enum class EstimatorKind { kSensors, kTruth };
 
 template <>
@@ -53,16 +55,21 @@ struct EnumNames<EstimatorKind> {
 };
 
 /// Noise that the state estimator assumes (standard deviations) and its contact threshold.
+/// The *_noise_* fields are what LegOdometry believes of its inputs, not what the simulation adds:
+/// that is SensorParams. A deviation that is too small makes the filter trust that input too much.
+/// Of the rest, wrench_* are for the arms' force/torque sensors and push_* for the momentum
+/// observer; both count only under ExternalWrenchKnowledge::kEstimated, and both are one low-pass
+/// of first order and one deadband, on the norm of the smoothed force.
 struct EstimatorParams {
-  double accelerometer_noise_mps2{0.2};
-  double foot_position_noise_m{0.001};
-  double foot_velocity_noise_mps{0.05};
-  double foot_slip_noise_mps{0.01};
-  double contact_threshold_N{0.3};
-  double wrench_cutoff_hz{10.0};
-  double wrench_deadband_N{15.0};
-  double push_cutoff_hz{0.0};
-  double push_deadband_N{20.0};
+  double accelerometer_noise_mps2{0.2};  ///< Per axis and frame; drives the prediction.
+  double foot_position_noise_m{0.001};   ///< Per axis and frame.
+  double foot_velocity_noise_mps{0.05};  ///< Per axis and frame.
+  double foot_slip_noise_mps{0.01};      ///< A foothold may wander by this times dt a frame.
+  double contact_threshold_N{0.3};       ///< Decides FootState::in_contact.
+  double wrench_cutoff_hz{10.0};         ///< Forces and torques alike.
+  double wrench_deadband_N{15.0};        ///< Below it the torque is dropped as well.
+  double push_cutoff_hz{0.0};            ///< 0 switches the momentum observer off.
+  double push_deadband_N{20.0};          ///< Of the horizontal force, the only one observed.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -88,9 +95,15 @@ struct EstimatorParams {
   }
 };
 
+/// The controller's settings as one value: with the robot, the gait and the length of a tick
+/// (ControllerSetup) they decide all that it does.
+/// Periods nest: 1 / rate_hz is a whole number of physics steps, 1 / mpc.rate_hz a whole number of
+/// control periods (sim/scenario/check_scenario). Of inverse_dynamics and inverse_kinematics the
+/// one that `mode` names is read, and neither on the centroidal plant. kPassive reads none of the
+/// blocks.
 struct ControlParams {
-  ControlMode mode{ControlMode::kTorque};
-  double rate_hz{500.0};
+  ControlMode mode{ControlMode::kTorque};  ///< Torque needs point feet; position needs servos.
+  double rate_hz{500.0};                   ///< Of the whole chain but the MPC, which has its own.
   ExternalWrenchKnowledge external_wrench{ExternalWrenchKnowledge::kUnknown};
   EstimatorKind estimator{EstimatorKind::kSensors};
   PlannerParams planner;

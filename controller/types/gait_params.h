@@ -10,6 +10,7 @@
 
 namespace sidestep {
 
+/// What the feet do. Each kind reads its own times of GaitParams and leaves the others alone.
 enum class GaitType { kStand, kWalk, kRun, kHop };
 
 template <>
@@ -22,18 +23,23 @@ struct EnumNames<GaitType> {
 };
 
 /// One stretch of the nominal gait, from start_s to the next stretch's start.
+/// A step lasts swing_s + double_support_s of a walk, stance_s + flight_s of a run or hop; each
+/// touch-down lies (step_length_m, step_side_m) farther along the path than the one before, in W.
+/// Each time becomes whole ticks where it is used.
+/// Ranges are all that is checked here: sim/scenario/check_scenario refuses a kind that the robot
+/// has not the feet for, and gaits that are out of order.
 struct GaitParams {
-  GaitType type{GaitType::kStand};
-  double start_s{0.0};
-  double step_length_m{0.0};
-  double step_width_m{0.16};
-  double swing_s{0.6};
-  double double_support_s{0.2};
-  double stance_s{0.2};
-  double flight_s{0.2};
-  double swing_height_m{0.05};
-  double landing_speed_mps{0.3};
-  double step_side_m{0.0};
+  GaitType type{GaitType::kStand};  ///< Decides which of the times below count.
+  double start_s{0.0};              ///< The gait before ends with a touch-down.
+  double step_length_m{0.0};        ///< 0: on the spot; below 0: backwards.
+  double step_width_m{0.16};        ///< Of the nominal footholds: the MPC may narrow it.
+  double swing_s{0.6};              ///< Walk alone.
+  double double_support_s{0.2};     ///< Walk alone; 0: one foot leaves as the other lands.
+  double stance_s{0.2};             ///< Run and hop; never below kShortestStep_s.
+  double flight_s{0.2};             ///< Run and hop; 0: a run without flight.
+  double swing_height_m{0.05};      ///< Above the higher of the two footholds.
+  double landing_speed_mps{0.3};    ///< So that a floor lower than believed is found.
+  double step_side_m{0.0};          ///< 0: straight ahead.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -71,11 +77,17 @@ struct EnumNames<FollowMode> {
       {{FollowMode::kPath, "path"}, {FollowMode::kCapturePoint, "capture_point"}}};
 };
 
+/// How the nominal path follows a robot that was pushed off it.
+/// The MPC may only move a foothold within its box about the nominal one. With FollowMode::kPath
+/// the boxes stay on the path, so that forces alone lead a robot back that left it by more than a
+/// box. With kCapturePoint the nominal footholds move along, once a landing, and path_return_m says
+/// how fast they come back. min_step_width_m and the box of MpcParams bound the same footholds:
+/// KeepFeetApart() takes what the former forbids out of the latter.
 struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
-  double path_return_m{0.05};
-  double min_step_width_m{0.0};
-  double com_sway{0.0};
+  double path_return_m{0.05};    ///< Counts under kCapturePoint alone; 0: never back.
+  double min_step_width_m{0.0};  ///< 0: feet may come in line, but not cross.
+  double com_sway{0.0};          ///< Walk alone; 1: over the standing foot.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

@@ -7,19 +7,24 @@
 namespace sidestep {
 
 /// Gains and weights of the inverse dynamics. Accelerations are tracked in SI units.
+/// Each tracked acceleration is a* = a_ref + stiffness (p_ref - p) + damping (v_ref - v); damping =
+/// 2 sqrt(stiffness) is critical, which CoM and swinging feet have by default. Only ratios of
+/// weights matter: accelerations weigh about 1, and force_weight and posture_weight are small
+/// enough to decide what the tasks leave open and no more. Standing feet have a weight of their own
+/// in inverse_dynamics.cc, above the defaults of all these.
 struct InverseDynamicsParams {
-  double com_stiffness_per_s2{100.0};
-  double com_damping_per_s{20.0};
-  double attitude_stiffness_per_s2{200.0};
-  double attitude_damping_per_s{30.0};
-  double swing_stiffness_per_s2{900.0};
-  double swing_damping_per_s{60.0};
-  double com_weight{1.0};
-  double attitude_weight{0.1};
-  double swing_weight{1.0};
-  double force_weight{1e-3};
-  double posture_weight{1e-4};
-  double friction{0.5};
+  double com_stiffness_per_s2{100.0};       ///< About 10 rad/s, undamped.
+  double com_damping_per_s{20.0};           ///< Critical.
+  double attitude_stiffness_per_s2{200.0};  ///< Roll and pitch; yaw has none.
+  double attitude_damping_per_s{30.0};      ///< All three axes.
+  double swing_stiffness_per_s2{900.0};     ///< About 30 rad/s, undamped.
+  double swing_damping_per_s{60.0};         ///< Critical.
+  double com_weight{1.0};                   ///< Not in flight, where forces are none.
+  double attitude_weight{0.1};              ///< About yaw only on two feet: a point has no grip.
+  double swing_weight{1.0};                 ///< Per (m/s^2)^2, as the CoM's.
+  double force_weight{1e-3};                ///< Draws to FootTarget::vertex_force_N.
+  double posture_weight{1e-4};              ///< On every entry of nudot, the base's included.
+  double friction{0.5};  ///< Of the pyramid; above MpcParams::friction by default.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

@@ -12,17 +12,20 @@ namespace sidestep {
 /// Source: Romualdi et al. (ICRA 2022), section III-C; CoM-ZMP correction: Choi et al., "Posture/
 /// walking control for humanoid robot based on kinematic resolution of CoM Jacobian with embedded
 /// motion", IEEE Trans. Robotics 23 (2007).
+/// The anchors only move the commanded robot as a whole; its joints, and so the servos, do not
+/// notice. They act while a foot that is held is felt, each by its rate times the control period of
+/// what is left to go.
 struct InverseKinematicsParams {
-  double foot_linear_gain_per_s{5.0};
-  double foot_angular_gain_per_s{4.0};
-  double torso_gain_per_s{5.0};
-  double torso_weight{1.0};
-  double posture_gain_per_s{5.0};
-  double posture_weight{1e-2};
-  double com_feedback_per_s{4.0};
-  double zmp_feedback_per_s{0.3};
-  double position_anchor_per_s{10.0};
-  double attitude_anchor_per_s{10.0};
+  double foot_linear_gain_per_s{5.0};   ///< Position error of the commanded foot.
+  double foot_angular_gain_per_s{4.0};  ///< Against the contact's R_WF.
+  double torso_gain_per_s{5.0};         ///< Upright, facing as the feet do.
+  double torso_weight{1.0};             ///< Feet and CoM are exact; this is not.
+  double posture_gain_per_s{5.0};       ///< Of the commanded joints.
+  double posture_weight{1e-2};          ///< Small: it settles what the tasks leave open.
+  double com_feedback_per_s{4.0};       ///< All three axes.
+  double zmp_feedback_per_s{0.3};       ///< Horizontal; needs forces in the feet.
+  double position_anchor_per_s{10.0};   ///< Shares above 1 a tick are cut to 1.
+  double attitude_anchor_per_s{10.0};   ///< Likewise.
   bool compensates_deflection{true};
 
   template <typename Self, typename Visitor>

@@ -15,11 +15,11 @@ namespace sidestep {
 /// Source: Romualdi et al. (ICRA 2022), section III-B; values as its iCub experiment, doubled
 /// where its program sums without the factor 1/2.
 struct MpcWeights {
-  Eigen::Vector3d com{2.0, 2.0, 400.0};
-  Eigen::Vector3d angular_momentum{200.0, 200.0, 200.0};
-  Eigen::Vector3d contact_position{400.0, 400.0, 400.0};
-  Eigen::Vector3d force_symmetry{20.0, 20.0, 20.0};
-  Eigen::Vector3d force_rate{0.2, 0.2, 0.2};
+  Eigen::Vector3d com{2.0, 2.0, 400.0};  ///< Per m^2. High in z: the height is to be kept.
+  Eigen::Vector3d angular_momentum{200.0, 200.0, 200.0};  ///< Per (m^2/s)^2, about C.
+  Eigen::Vector3d contact_position{400.0, 400.0, 400.0};  ///< Per m^2 and knot.
+  Eigen::Vector3d force_symmetry{20.0, 20.0, 20.0};       ///< Per (m/s^2)^2.
+  Eigen::Vector3d force_rate{0.2, 0.2, 0.2};  ///< Per (m/s^3)^2: of the change over step_s.
   /// On the force of a contact that touches down at the last input, N - 1, where nothing else
   /// makes the optimum unique.
   Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
@@ -58,19 +58,26 @@ inline constexpr std::array<MpcBackend, 2> kMpcBackends{MpcBackend::kIpopt,
                                                         MpcBackend::kStructured};
 
 /// The horizon, its solver and what the controller assumes; key by key in VisitFields.
+/// The horizon is knots * step_s long (1.5 s by default) and should hold at least one landing, or
+/// no foothold is decided. Solving more often than once a knot (rate_hz > 1 / step_s) is allowed:
+/// knots then start at the solve, and contacts are rounded to the nearest knot. `friction` is that
+/// of the plan alone; by default it is smaller than the world's and than InverseDynamicsParams's,
+/// which leaves the forces that are realised room about the planned ones. external_wrench_hold_s
+/// counts only if ControlParams::external_wrench tells of pushes; a hold that ends between knots
+/// gives the last knot its share.
 struct MpcParams {
-  double rate_hz{10.0};
-  int knots{15};
-  double step_s{0.1};
+  double rate_hz{10.0};  ///< Its period is whole control periods.
+  int knots{15};         ///< Cost and memory grow in proportion.
+  double step_s{0.1};    ///< A whole number of physics steps.
   MpcBackend backend{MpcBackend::kStructured};
-  double latency_s{0.0};
-  double tolerance{1e-6};
-  int max_iterations{100};
-  double friction{0.33};
-  Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};
-  Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};
+  double latency_s{0.0};   ///< Simulates the time that a solve would take; the first plan has none.
+  double tolerance{1e-6};  ///< Handed to the back end as it is.
+  int max_iterations{100};                       ///< Solvers stop by this, never by the clock.
+  double friction{0.33};                         ///< Of the pyramid in axes of F.
+  Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};  ///< z = 0 keeps footholds on the floor.
+  Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};    ///< Never below box_lower_m.
   double external_wrench_hold_s{0.1};
-  double attitude_rate_radps{0.0};
+  double attitude_rate_radps{0.0};  ///< 0, as in the paper: no levelling.
   MpcWeights weights;
 
   template <typename Self, typename Visitor>

@@ -5,6 +5,8 @@
 
 namespace sidestep {
 
+/// A scalar and its first two derivatives in time, in whatever unit the caller has (m in all of
+/// this program).
 struct QuinticState {
   double position{0.0};
   double velocity{0.0};
@@ -12,6 +14,9 @@ struct QuinticState {
 };
 
 /// One scalar quintic on [0, duration_s].
+///   p(t) = c0 + c1 t + ... + c5 t^5
+///
+/// Without limits: between states it may overshoot either of them. A value; never allocates.
 class Quintic {
  public:
   /// Joins `from` at 0 to `to` at duration_s (> 0); six conditions, six coefficients.
@@ -26,6 +31,8 @@ class Quintic {
     c5_ = (6.0 * dp - 3.0 * dv + 0.5 * da) / (T * T);
   }
 
+  /// Value and derivatives at t (s). Outside [0, duration_s] the polynomial just goes on, and grows
+  /// like t^5.
   QuinticState At(double t) const {
     return {c0_ + t * (c1_ + t * (c2_ + t * (c3_ + t * (c4_ + t * c5_)))),
             c1_ + t * (2.0 * c2_ + t * (3.0 * c3_ + t * (4.0 * c4_ + t * 5.0 * c5_))),
@@ -33,7 +40,7 @@ class Quintic {
   }
 
  private:
-  double c0_, c1_, c2_, c3_, c4_, c5_;
+  double c0_, c1_, c2_, c3_, c4_, c5_;  // in SI, by powers of t
 };
 
 }  // namespace sidestep

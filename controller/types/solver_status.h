@@ -13,11 +13,11 @@ namespace sidestep {
 
 /// How an MPC solve ended. Only kSolved carries an optimum; the rest keep the best iterate found.
 enum class SolveStatus {
-  kNotSolved,
-  kSolved,
-  kAcceptable,  ///< Stopped close to an optimum (looser tolerances).
-  kInfeasible,  ///< Converged to a point of local infeasibility.
-  kIterationLimit,
+  kNotSolved,       ///< No solve has come to an end yet.
+  kSolved,          ///< To the tolerance asked for.
+  kAcceptable,      ///< Stopped close to an optimum (looser tolerances).
+  kInfeasible,      ///< Converged to a point of local infeasibility.
+  kIterationLimit,  ///< Out of iterations before any tolerance was met.
   kNumericalError,  ///< Non-finite input or a failed factorisation.
 };
 
@@ -40,7 +40,7 @@ inline bool IsUsable(SolveStatus status) {
 /// How a dense QP ended. Only kSolved carries an optimum.
 enum class QpStatus {
   kNotSolved,
-  kSolved,
+  kSolved,          ///< Optimal within the tolerances of DenseQpOptions.
   kInfeasible,      ///< No x satisfies the constraints (proved within tolerance).
   kUnbounded,       ///< Feasible, and the cost falls for ever along a ray.
   kIterationLimit,  ///< Tolerance not reached; x is the last iterate.

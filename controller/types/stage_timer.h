@@ -4,12 +4,17 @@
 
 namespace sidestep {
 
+/// The links of the control chain, in the order in which they run within a tick. kCount is no
+/// stage.
 enum class Stage { kEstimator, kPlanner, kMpc, kSwing, kWholeBody, kCount };
 
 /// Implemented by the simulation, which owns the clock. The default does nothing.
 class StageTimer {
  public:
   virtual ~StageTimer() = default;
+  /// Begin and End of one stage come in pairs and never overlap with the same stage; an End without
+  /// Begin is a bug of the caller. Both must return soon and may not throw: End is called from a
+  /// destructor.
   virtual void Begin(Stage /*stage*/) {}
   virtual void End(Stage /*stage*/) {}
 };
@@ -17,6 +22,7 @@ class StageTimer {
 /// Times a scope.
 class ScopedStage {
  public:
+  /// `timer` is not null and outlives the scope.
   ScopedStage(StageTimer* timer, Stage stage) : timer_(timer), stage_(stage) {
     timer_->Begin(stage_);
   }

@@ -13,6 +13,7 @@
 
 namespace sidestep {
 
+/// Course of the force over the push's time; sim/world/pushes.h has the formula.
 enum class PushProfile { kConstant, kHalfSine };
 
 template <>
@@ -34,22 +35,24 @@ struct EnumNames<PushFrame> {
 };
 
 /// A scripted force at a point of a body.
+/// Its impulse is |force_N| duration_s of a constant one, 2/pi of that of a half sine. start_s and
+/// duration_s are rounded to ticks where the force acts. Two pushes at once add up.
 struct Push {
-  std::string body;  ///< A body or a frame (site) of the robot.
-  Eigen::Vector3d force_N{Eigen::Vector3d::Zero()};
+  std::string body;                                  ///< A body or a frame (site) of the robot.
+  Eigen::Vector3d force_N{Eigen::Vector3d::Zero()};  ///< In axes of `frame`.
   double start_s{0.0};
-  double duration_s{0.0};
+  double duration_s{0.0};                            ///< > 0 of a push that was read.
   Eigen::Vector3d point_m{Eigen::Vector3d::Zero()};  ///< In the body's or frame's own axes.
   PushProfile profile{PushProfile::kConstant};       ///< half_sine peaks at force_N.
-  PushFrame frame{PushFrame::kWorld};
+  PushFrame frame{PushFrame::kWorld};  ///< Of force_N alone; point_m is always the body's.
 };
 
 /// A push as a file spells it: `force_N`, or `magnitude_N` with `direction_rad`; read_sections
 /// turns the latter into a force_N in the heading frame.
 struct PushEntry {
-  Push push;
-  std::optional<Eigen::Vector3d> force_N;
-  std::optional<double> magnitude_N;
+  Push push;  ///< Its force_N and frame are final only after read_sections.
+  std::optional<Eigen::Vector3d> force_N;  ///< Excludes the two below.
+  std::optional<double> magnitude_N;       ///< Goes with direction_rad.
   std::optional<double> direction_rad;
 
   template <typename Self, typename Visitor>

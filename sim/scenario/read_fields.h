@@ -16,6 +16,7 @@
 
 namespace sidestep {
 
+/// Declared ahead: a struct may hold a struct, which FieldReader reads by this again.
 template <typename T>
 void ReadFields(const ConfigNode& node, T& value);
 
@@ -31,8 +32,10 @@ Enum ReadEnum(const ConfigNode& node) {
 /// ConfigError if a required key is missing.
 class FieldReader {
  public:
+  /// `map` must outlive the reader, and notes each key that is asked for.
   explicit FieldReader(ConfigMap* map) : map_(map) {}
 
+  /// A finite number; `range` says whether its lower end belongs to it.
   void operator()(const char* key, double& field, Range range, Meaning meaning) {
     const auto node = Find(key, meaning);
     if (!node) return;
@@ -42,14 +45,17 @@ class FieldReader {
     }
   }
 
+  /// Written without fraction or exponent.
   void operator()(const char* key, int& field, Range range, Meaning meaning) {
     if (const auto node = Find(key, meaning)) field = ReadInt(*node, range);
   }
 
+  /// Three numbers, each within `range`.
   void operator()(const char* key, Eigen::Vector3d& field, Range range, Meaning meaning) {
     if (const auto node = Find(key, meaning)) field = node->Vector3(range.min, range.max);
   }
 
+  /// Two even integers, each within `range`.
   void operator()(const char* key, PixelSize& field, Range range, Meaning meaning) {
     const auto node = Find(key, meaning);
     if (!node) return;
@@ -66,6 +72,7 @@ class FieldReader {
     (*this)(key, *field, range, meaning);
   }
 
+  /// Only up to 2^63 - 1: YAML's integers are read as signed ones.
   void operator()(const char* key, std::uint64_t& field, Meaning meaning) {
     const auto node = Find(key, meaning);
     if (!node) return;
@@ -73,6 +80,8 @@ class FieldReader {
     field = static_cast<std::uint64_t>(node->Integer(0, kMax));
   }
 
+  /// Truth values, texts, enums by name; anything else is a struct with fields of its own and is
+  /// read into its present values, so that a file may set one key of it.
   template <typename T>
   void operator()(const char* key, T& field, Meaning meaning) {
     const std::optional<ConfigNode> node = Find(key, meaning);
@@ -89,12 +98,14 @@ class FieldReader {
   }
 
  protected:
+  /// The value of `key`; nothing if the map lacks it and may. Throws ConfigError if it must not.
   std::optional<ConfigNode> Find(const char* key, Meaning meaning) {
     if (meaning.is_required) return map_->Required(key);
     return map_->Optional(key);
   }
 
  private:
+  /// Bounds of a Range are doubles; those of integers are whole numbers.
   static int ReadInt(const ConfigNode& node, Range range) {
     return static_cast<int>(
         node.Integer(static_cast<std::int64_t>(range.min), static_cast<std::int64_t>(range.max)));

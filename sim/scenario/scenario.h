@@ -22,6 +22,7 @@
 
 namespace sidestep {
 
+/// What is simulated; see sim/world/mujoco_world.h and sim/world/centroidal_world.h.
 enum class Plant { kMujoco, kCentroidal };
 
 template <>
@@ -31,10 +32,13 @@ struct EnumNames<Plant> {
 };
 
 /// Bounds that decide FALL and SLIP on the truth; see sim/verdict.
+/// A fall or a slip makes the run a FAIL unless the scenario's `expect` says that it is to come.
+/// Any contact of another body than a foot with the ground is a fall as well and has no bound. The
+/// height is the base's, or the CoM's on the centroidal plant, whose nominal one is the robot's.
 struct VerdictParams {
-  double min_base_height_ratio{0.5};
-  double max_tilt_rad{1.0};
-  double max_slip_m{0.05};
+  double min_base_height_ratio{0.5};  ///< 0: no height is too low.
+  double max_tilt_rad{1.0};           ///< Pi and more: no tilt is too much.
+  double max_slip_m{0.05};            ///< Of any one foot.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -48,13 +52,16 @@ struct VerdictParams {
 };
 
 /// An expected value or interval of a metric of summary.json.
+/// Bounds are inclusive, in the metric's unit; either may be missing. A plain number in a file is
+/// both of them. A metric that is NaN meets no bound.
 struct Expectation {
-  std::string metric;
-  std::optional<double> min;
-  std::optional<double> max;
-  std::optional<bool> is;  ///< For metrics that are true or false, such as `fall`.
+  std::string metric;         ///< A name of KnownMetrics().
+  std::optional<double> min;  ///< Empty: no lower bound.
+  std::optional<double> max;  ///< Empty: no upper bound.
+  std::optional<bool> is;     ///< For metrics that are true or false, such as `fall`.
 };
 
+/// How the camera moves; sim/render/camera_path.h has the path.
 enum class VideoCamera { kFollow, kFixed };
 
 template <>
@@ -70,6 +77,7 @@ struct PixelSize {
 };
 
 /// The video; in a file `video: false` draws none, and there is no key `enabled`.
+/// Only of what is drawn afterwards from the log: nothing of it can change the run.
 struct VideoParams {
   bool enabled{true};
   PixelSize size{640, 480};
@@ -85,14 +93,15 @@ struct VideoParams {
 };
 
 /// What a scenario says of itself in single values.
+/// Each is one line of a file; the sections of Scenario are the blocks below them.
 struct ScenarioBasics {
   int format{1};
   std::string name;
   std::string description;
   std::string robot_name;  ///< As the file names it.
   Plant plant{Plant::kMujoco};
-  double duration_s{0.0};
-  std::uint64_t seed{1};
+  double duration_s{0.0};  ///< No default: 0 is refused.
+  std::uint64_t seed{1};   ///< The only randomness of a run.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -110,16 +119,19 @@ struct ScenarioBasics {
 };
 
 /// A whole scenario: its basics, its sections and the robot it names.
+/// Two equal ones give the same run, bit for bit, on one machine and build. ReadScenario() makes
+/// one and checks that its parts fit each other; code that fills one by hand must see to that
+/// itself, for those who take a Scenario rely on it.
 struct Scenario : ScenarioBasics {
   std::filesystem::path file;  ///< Where it was read from; not part of the resolved file.
   RobotDescription robot;
   ControlParams control;
   std::vector<GaitParams> gait;  ///< In order of start_s; the first starts at 0.
-  std::vector<Push> pushes;
+  std::vector<Push> pushes;      ///< In the file's order; they may overlap.
   WorldParams world;
   SensorParams sensors;
   VerdictParams verdict;
-  std::vector<Expectation> expect;
+  std::vector<Expectation> expect;  ///< In the file's order.
   VideoParams video;
 
   /// Like VisitFields, for the keys that hold more than one value.

@@ -10,22 +10,27 @@ namespace sidestep {
 
 /// Errors of the sensors: noise (standard deviations, drawn anew each frame), biases (constant),
 /// delay and dropout.
+/// The truth passes in this order: bias and noise on each reading, then delay, then dropout; the
+/// controller sees the outcome and never these numbers (EstimatorParams is what it assumes). All
+/// draws come from one stream of the scenario's seed, and a deviation of 0 draws nothing, so that
+/// adding one kind of noise shifts the numbers that the others get. Delays are rounded to whole
+/// control periods. All are 0 by default: perfect sensors.
 struct SensorParams {
-  double gyro_noise_radps{0.0};
+  double gyro_noise_radps{0.0};  ///< White; no random walk.
   double accelerometer_noise_mps2{0.0};
-  double orientation_noise_rad{0.0};
+  double orientation_noise_rad{0.0};  ///< About each axis of U.
   double encoder_noise_rad{0.0};
-  double encoder_velocity_noise_radps{0.0};
-  double touch_noise_N{0.0};
-  double delay_s{0.0};
-  double dropout{0.0};
-  double force_noise_N{0.0};
-  double torque_noise_Nm{0.0};
+  double encoder_velocity_noise_radps{0.0};  ///< Independent of encoder_noise_rad.
+  double touch_noise_N{0.0};                 ///< The sum is cut at 0: soles only push.
+  double delay_s{0.0};                       ///< Of the whole frame.
+  double dropout{0.0};                       ///< Drawn frame by frame, independently.
+  double force_noise_N{0.0};                 ///< On the mean over the control period.
+  double torque_noise_Nm{0.0};               ///< Likewise; torques have no bias.
   Eigen::Vector3d force_bias_N{Eigen::Vector3d::Zero()};
   Eigen::Vector3d gyro_bias_radps{Eigen::Vector3d::Zero()};
   Eigen::Vector3d accelerometer_bias_mps2{Eigen::Vector3d::Zero()};
-  double encoder_bias_rad{0.0};
-  double wrench_delay_s{0.0};
+  double encoder_bias_rad{0.0};  ///< Drawn once, from a stream of its own.
+  double wrench_delay_s{0.0};    ///< Told as SensorFrame::force_torque_age_s.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

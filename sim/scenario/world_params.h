@@ -7,10 +7,13 @@
 namespace sidestep {
 
 /// The world of a run, whatever its plant.
+/// What the controller does not know and can't ask: its own friction coefficients and masses are
+/// assumptions (MpcParams, InverseDynamicsParams, the robot's nominal model), and a scenario that
+/// moves these numbers away from them tests its robustness.
 struct WorldParams {
-  double friction{0.8};
-  double step_s{0.001};
-  double mass_scale{1.0};
+  double friction{0.8};    ///< Coulomb, with every part of the robot.
+  double step_s{0.001};    ///< Also the length of a tick, the unit of all times.
+  double mass_scale{1.0};  ///< 1: the nominal robot.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {

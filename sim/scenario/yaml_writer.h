@@ -25,6 +25,8 @@ std::string YamlVector(const Eigen::Vector3d& value);
 std::string YamlSize(const PixelSize& size);
 
 /// Appends block-style maps, two columns a level.
+/// Writes numbers in the shortest form that reads back as the same double, so a dumped scenario
+/// gives the very run that it was dumped from. Begin and End must pair; nothing checks it.
 class YamlWriter {
  public:
   /// Writes `key: value`, where `value` is YAML already.
@@ -45,6 +47,7 @@ class YamlWriter {
   }
 
   // The visitor's face.
+  // Ranges and meanings are for readers and documentation.
   void operator()(const char* key, double value, Range /*range*/, Meaning /*meaning*/) {
     Line(key, NumberText(value));
   }
@@ -66,6 +69,7 @@ class YamlWriter {
   void operator()(const char* key, std::uint64_t value, Meaning /*meaning*/) {
     Line(key, std::to_string(value));
   }
+  /// Truth values, texts, enums by name; anything else is a struct, as a map under its key.
   template <typename T>
   void operator()(const char* key, const T& value, Meaning /*meaning*/) {
     if constexpr (std::is_same_v<T, bool>) {
@@ -81,12 +85,13 @@ class YamlWriter {
     }
   }
 
+  /// All that was written so far, each line ended.
   const std::string& text() const { return text_; }
 
  private:
   std::string text_;
-  int depth_{0};
-  bool has_dash_{false};
+  int depth_{0};          // maps that are open
+  bool has_dash_{false};  // the next line begins a list element
 };
 
 }  // namespace sidestep
