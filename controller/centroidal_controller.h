@@ -13,6 +13,9 @@
 
 namespace sidestep {
 
+/// The same chain without its last link: what the MPC plans is exactly what the plant is given, so
+/// failures of a scenario here are those of planner and MPC alone. ControlParams::estimator and the
+/// blocks of the whole-body control are not read.
 class CentroidalController final : public Controller {
  public:
   /// `timer` must outlive the controller. The robot's mass_kg must be known.
@@ -25,12 +28,13 @@ class CentroidalController final : public Controller {
   }
 
  private:
+  /// The measured reduced state as a belief: base at the CoM and upright, no joints.
   const RobotState& Estimate(const SensorFrame& frame);
 
-  StageTimer* timer_;
+  StageTimer* timer_;  ///< Not owned.
   CentroidalEstimator estimator_;
   MotionChain chain_;
-  ControlTick tick_;
+  ControlTick tick_;  ///< The last answer, written in place.
 };
 
 }  // namespace sidestep

@@ -15,6 +15,9 @@
 
 namespace sidestep {
 
+/// Sensors -> belief -> schedule -> plan -> feet -> joints, once a control tick, for torque and
+/// position mode alike: only the last link differs. A value but for the timer: Clone() copies every
+/// link.
 class LocomotionController final : public Controller {
  public:
   /// `timer` must outlive the controller. Throws ConfigError if the robot's MJCF does not compile.
@@ -27,16 +30,18 @@ class LocomotionController final : public Controller {
   }
 
  private:
+  /// Leaves body_ at the belief, which the links behind it read.
   const RobotState& Estimate(const SensorFrame& frame);
+  /// h*[0] (kg m^2/s, about C, in W) on ticks of a solve; see momentum_reference.h.
   Eigen::Vector3d LevellingMomentumAt(Tick tick, const RobotState& state) const;
 
-  double attitude_rate_radps_;
-  StageTimer* timer_;
-  RigidBody body_;  ///< The nominal robot, at the belief.
-  ClonePtr<StateEstimator> estimator_;
+  double attitude_rate_radps_;          ///< MpcParams' own.
+  StageTimer* timer_;                   ///< Not owned.
+  RigidBody body_;                      ///< The nominal robot, at the belief.
+  ClonePtr<StateEstimator> estimator_;  ///< By ControlParams::estimator.
   MotionChain chain_;
-  ClonePtr<wbc::WholeBody> whole_body_;
-  ControlTick tick_;
+  ClonePtr<wbc::WholeBody> whole_body_;  ///< By ControlParams::mode.
+  ControlTick tick_;                     ///< The last answer, written in place.
 };
 
 }  // namespace sidestep

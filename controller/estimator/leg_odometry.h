@@ -23,6 +23,9 @@
 
 namespace sidestep {
 
+/// Position along the floor drifts with every step, and yaw is the IMU's own; height does not
+/// drift, for standing feet are on the floor. On a frame without a standing foot it only predicts.
+/// Starts at the robot's home pose, which it takes as known.
 class LegOdometry final : public StateEstimator {
  public:
   /// `dt_s` is the time between frames; `body` is the robot, whose home pose is where the base
@@ -34,10 +37,15 @@ class LegOdometry final : public StateEstimator {
   std::unique_ptr<StateEstimator> Clone() const override;
 
  private:
+  /// Base attitude and rate, base at the origin and at rest.
   void OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector3d& w_WU_U, RigidBody* body);
+  /// One dt_s under a constant acceleration of the IMU (m/s^2, in W, gravity taken off).
   void Predict(const Eigen::Vector3d& a_WU);
+  /// Forgets a foothold, on landing as on lift-off: it may be anywhere.
   void ReleaseFoot(std::size_t foot);
+  /// By the foot's place and velocity relative to the IMU, in W, axis by axis.
   void CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W, const Eigen::Vector3d& v_UF_W);
+  /// One measurement z = H x + noise: no matrix is inverted.
   void CorrectScalar(const Eigen::Ref<const Eigen::RowVectorXd>& H, double innovation,
                      double variance);
 
@@ -46,11 +54,11 @@ class LegOdometry final : public StateEstimator {
   double dt_s_;
   ForceSensing forces_;
   ExternalWrench external_wrench_;
-  Eigen::VectorXd x_;
-  Eigen::MatrixXd P_;
-  Eigen::VectorXd PHt_;   // scratch
-  Eigen::RowVectorXd H_;  // scratch
-  std::vector<bool> stands_;
+  Eigen::VectorXd x_;         // 6 + 3 n
+  Eigen::MatrixXd P_;         // its covariance
+  Eigen::VectorXd PHt_;       // scratch
+  Eigen::RowVectorXd H_;      // scratch
+  std::vector<bool> stands_;  // at the last frame
   bool has_frame_{false};
   RobotState state_;
 };

@@ -14,6 +14,8 @@
 namespace sidestep {
 
 /// Believes SensorFrame::truth. For comparison with LegOdometry only.
+/// Base from the truth, joints, contacts and wrenches from the sensors as in LegOdometry: what a
+/// perfect odometry would give.
 class TruthEstimator final : public StateEstimator {
  public:
   /// `dt_s` is the time between frames; `body` is the robot, for its sizes and mass.

@@ -20,6 +20,7 @@ class ModelInstance {
   ModelInstance(const ModelInstance& other) : model_(other.model_), data_(MakeData(*model_)) {
     mj_copyData(data_.get(), model_.get(), other.data_.get());
   }
+  /// Copies first, then swaps: if memory runs out this one is left as it was.
   ModelInstance& operator=(const ModelInstance& other) {
     ModelInstance copy(other);
     std::swap(model_, copy.model_);
@@ -30,14 +31,15 @@ class ModelInstance {
   ModelInstance& operator=(ModelInstance&&) noexcept = default;
   ~ModelInstance() = default;
 
+  /// Shared with all copies: never to be written. Valid as long as one of them lives.
   const mjModel* model() const { return model_.get(); }
 
   /// Not const, though the instance may be: what is evaluated when first read is written here.
   mjData* data() const { return data_.get(); }
 
  private:
-  std::shared_ptr<const mjModel> model_;
-  MjDataPtr data_;
+  std::shared_ptr<const mjModel> model_;  ///< Freed with the last copy.
+  MjDataPtr data_;                        ///< This copy's alone.
 };
 
 }  // namespace sidestep

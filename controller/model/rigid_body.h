@@ -25,11 +25,12 @@ namespace sidestep {
 using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A foot's pose and velocity.
+/// All in W, of the sole's origin F.
 struct FootKinematics {
-  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};  ///< m.
   Eigen::Matrix3d R_WF{Eigen::Matrix3d::Identity()};
-  Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d w_WF{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};  ///< m/s.
+  Eigen::Vector3d w_WF{Eigen::Vector3d::Zero()};  ///< rad/s.
 };
 
 /// Of a frame: its velocities are J nu and J_rot nu, in W.
@@ -46,10 +47,10 @@ struct FrameBias {
 
 /// Motion of the IMU's site U, in W.
 struct ImuKinematics {
-  Eigen::Vector3d p_WU{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d p_WU{Eigen::Vector3d::Zero()};  ///< m.
   Eigen::Matrix3d R_WU{Eigen::Matrix3d::Identity()};
-  Eigen::Vector3d v_WU{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d w_WU{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d v_WU{Eigen::Vector3d::Zero()};  ///< m/s.
+  Eigen::Vector3d w_WU{Eigen::Vector3d::Zero()};  ///< rad/s, in W: the gyro tells it in U.
 };
 
 /// How the IMU's site U sits on the base B, and turns against it, for the joints' state.
@@ -67,7 +68,7 @@ struct TorsoKinematics {
 /// A force/torque sensor: its site, and what it would read were nothing but gravity and inertia
 /// acting on its distal part.
 struct ForceTorqueKinematics {
-  Eigen::Vector3d p_WS{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d p_WS{Eigen::Vector3d::Zero()};  ///< m.
   Eigen::Matrix3d R_WS{Eigen::Matrix3d::Identity()};
   Wrench unloaded;  ///< Distal on proximal, in S, about S.
 };
@@ -106,6 +107,7 @@ class RigidBody {
   /// be the state given to Update(). Leaves in_contact alone.
   void FillDerived(RobotState* state) const;
 
+  /// Sizes of the model, fixed from construction on.
   int num_velocities() const { return instance_.model()->nv; }
   int num_actuators() const { return instance_.model()->nu; }
   std::size_t num_feet() const { return foot_site_.size(); }
@@ -128,6 +130,8 @@ class RigidBody {
   const Jacobian3& com_jacobian() const;         ///< 3 x nv: v_WC = J nu.
   const Eigen::Vector3d& com_bias_mps2() const;  ///< Jdot nu.
 
+  /// By index of RobotDescription::feet. References stay valid as long as the body lives; what is
+  /// behind them changes with the next Update(), or when it is first read after that.
   const FrameJacobian& foot_jacobian(std::size_t foot) const;
   const FrameBias& foot_bias(std::size_t foot) const;
   const Jacobian3& torso_jacobian() const;           ///< 3 x nv, angular: w_WT = J nu.
@@ -140,6 +144,7 @@ class RigidBody {
 
   /// Index in nu of each actuator's joint, in the order of the actuators.
   const std::vector<int>& actuated_velocity() const { return actuated_velocity_; }
+  /// Greatest torque of each actuator, the upper end of its control range; N for a slide.
   const Eigen::VectorXd& torque_limit_Nm() const { return torque_limit_Nm_; }
 
   /// Position limits of each actuator's joint (rad); infinite where there is none.

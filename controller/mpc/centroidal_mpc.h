@@ -51,18 +51,23 @@ class CentroidalMpc {
  private:
   /// A solution with the problem and the instant it belongs to.
   struct Plan {
-    Tick tick{0};
+    Tick tick{0};  ///< Knot 0: the measurement's instant.
     CentroidalOcp ocp;
-    MpcSolution solution;
+    MpcSolution solution;  ///< Usable: others are not kept.
     std::vector<Foothold> footholds;
   };
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+  /// Knot of `plan` that is on at `tick`, the last one once the plan has run out.
   int KnotAt(const Plan& plan, Tick tick) const;
+  /// The newest usable solution shifted to `tick` by whole knots; null if nothing of it is left.
   const MpcSolution* WarmStart(const CentroidalOcp& ocp, Tick tick);
+  /// The plan's forces just before `tick`, for feet that stood then and stand now: the rate into
+  /// the first knot is charged too.
   void SetPreviousForces(CentroidalOcp* ocp, Tick tick) const;
   void StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick);
+  /// A plan that is neither in use, waiting nor the next warm start; makes one if there is none.
   std::size_t FreeSlot();
   const Plan& Active() const { return plans_[active_]; }
 

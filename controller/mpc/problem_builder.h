@@ -32,8 +32,11 @@ struct GridReferences {
   Eigen::Matrix3Xd angular_momentum;  ///< kg m^2/s.
 };
 
+/// Owns the one problem and rewrites it in place. What does not change from solve to solve
+/// (weights, pyramid, vertices, mass) is set by the constructor; phases have room for one a knot.
 class ProblemBuilder {
  public:
+  /// `tick_s` is the length of a tick (s); params.step_s is a whole number of them.
   ProblemBuilder(const MpcParams& params, const RobotModel& robot, double tick_s);
 
   /// Fills the problem at `tick`. Shapes change only with the contact schedule.
@@ -48,13 +51,16 @@ class ProblemBuilder {
   const CentroidalOcp& ocp() const { return ocp_; }
 
  private:
+  /// A foot's planned contacts as phases of knots. One that has begun is fixed where it is; one
+  /// that no knot falls into is left out.
   void FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned, Tick tick);
+  /// Constant for external_wrench_hold_s, then zero.
   void FillExternalWrench(const Wrench& wrench);
 
   MpcParams params_;
-  Tick step_ticks_;
+  Tick step_ticks_;  ///< Between knots.
   CentroidalOcp ocp_;
-  std::vector<std::vector<int>> planned_;
+  std::vector<std::vector<int>> planned_;  ///< PlannedContact::index, by foot and phase.
 };
 
 }  // namespace sidestep::mpc

@@ -59,9 +59,11 @@ class GaitWriter {
   double FootX(int foot) const { return Foot(foot).nominal.contact.nominal_p_WF.x(); }
   Tick MoveOfNextLanding() const;
   std::optional<Tick> NextSegmentStart() const;
+  /// Begins a contact of `foot` at `tick`, where the path has it by now.
   void Land(int foot, Tick tick, const GaitParams& gait);
   void BeginOrder();
   void EndOrder();
+  /// Ends the contact that `foot` stands in.
   void LiftOff(int foot, Tick tick);
   void AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest);
   void AddSwayKnot(Tick tick, int stance, const GaitParams& gait);
@@ -69,6 +71,7 @@ class GaitWriter {
   void WalkStep(const GaitParams& gait);
   void RunStep(const GaitParams& gait);
   void HopStep(const GaitParams& gait);
+  /// Moves the path on by a step and lands `foot` there.
   void Advance(int foot, Tick landing, const GaitParams& gait);
 
   const GaitSetup& setup_;

@@ -35,6 +35,7 @@ class SwingFoot {
 
   /// Shape of the swings to come.
   void set_shape(const SwingShape& shape) { shape_ = shape; }
+  /// The reference of the last Update(), in W (m, m/s, m/s^2).
   Eigen::Vector3d position() const;
   Eigen::Vector3d velocity() const;
   Eigen::Vector3d acceleration() const;

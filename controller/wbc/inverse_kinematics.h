@@ -35,6 +35,9 @@ class InverseKinematics final : public WholeBody {
                     double dt_s);
 
   /// `body` is not read: the commanded robot has one of its own.
+  /// If no twist meets all exact rows and limits, those of the CoM become a task of high weight and
+  /// the report is not ok; should that fail too, the commanded robot stays where it is. The first
+  /// call puts the commanded robot at the belief.
   WbcReport Solve(const RobotState& state, const RigidBody& body, const ComTarget& com,
                   const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
   std::unique_ptr<WholeBody> Clone() const override;
@@ -45,19 +48,24 @@ class InverseKinematics final : public WholeBody {
  private:
   /// Where a standing foot is held.
   struct Hold {
-    bool active{false};
+    bool active{false};  ///< It stands, as the schedule and the landing have it.
     Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
   };
 
+  /// The commanded robot as it is believed to be, at rest, every foot held.
   void Start(const RobotState& state);
+  /// Draws the commanded robot as a whole to the belief, while a held foot is felt.
   void Anchor(const RobotState& state);
   void Build(const Eigen::Vector3d& v_WC, const RobotState& state,
              const std::vector<FootTarget>& feet);
+  /// Six exact rows: flat, on its hold or along its target.
   void AddFoot(std::size_t foot, const FootTarget& target, bool stands);
   void AddTrunk(const std::vector<FootTarget>& feet);
   void AddPosture();
+  /// Velocity bounds that also keep each joint from running into its end.
   void AddJointLimits();
   void Integrate(const Eigen::VectorXd& nu);
+  /// Where an actuator's joint is in nu.
   Eigen::Index Joint(std::size_t actuator) const;
 
   RobotDescription robot_;

@@ -19,7 +19,12 @@ class WholeBody {
   virtual ~WholeBody() = default;
 
   /// Writes the command of this tick. `body` must be at `state`. A failed solve is told in the
-  /// report; the command is then the previous one. Does not allocate after the first call.
+  /// report; the command is then the previous one, unless the class tells of another way out.
+  /// Does not allocate after the first call.
+  /// @param com      What the CoM should do now; zero before the first plan.
+  /// @param feet     One a foot of the robot, in its order.
+  /// @param command  The one that was written last, or an empty one; its size is settled by the
+  /// first call.
   virtual WbcReport Solve(const RobotState& state, const RigidBody& body, const ComTarget& com,
                           const std::vector<FootTarget>& feet, ActuatorCommand* command) = 0;
 

@@ -23,7 +23,9 @@ class MjState {
   MjState& operator=(MjState other) noexcept;
   ~MjState() = default;
 
+  /// Never to be written: copies share it.
   const mjModel& model() const { return *model_; }
+  /// The state, to be read and moved on; owned by this object.
   mjData* get() const { return data_.get(); }
   mjData* operator->() const { return data_.get(); }
 

@@ -10,6 +10,7 @@
 
 namespace sidestep {
 
+/// MuJoCo frees what it allocated; delete would not.
 struct MjModelDeleter {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
 };

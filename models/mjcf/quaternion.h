@@ -9,6 +9,7 @@
 namespace sidestep {
 
 /// Reads four numbers in the order w, x, y, z.
+/// Eigen stores x, y, z, w but constructs from w, x, y, z. Not normalised: MuJoCo's are.
 inline Eigen::Quaterniond FromMuJoCo(const mjtNum* wxyz) {
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }

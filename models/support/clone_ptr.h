@@ -21,6 +21,7 @@ class ClonePtr {
   ClonePtr(std::unique_ptr<T> part) : part_(std::move(part)) {}
   ClonePtr(const ClonePtr& other) : part_(other.part_ ? other.part_->Clone() : nullptr) {}
   ClonePtr(ClonePtr&&) noexcept = default;
+  /// Drops what it owned; holds a clone of its own afterwards.
   ClonePtr& operator=(const ClonePtr& other) {
     if (this != &other) part_ = other.part_ ? other.part_->Clone() : nullptr;
     return *this;
@@ -28,6 +29,7 @@ class ClonePtr {
   ClonePtr& operator=(ClonePtr&&) noexcept = default;
   ~ClonePtr() = default;
 
+  /// Null after a move only. Constness is not passed on, as with unique_ptr.
   T* get() const { return part_.get(); }
   T* operator->() const { return part_.get(); }
   T& operator*() const { return *part_; }

@@ -16,8 +16,8 @@ using EpisodeProgress = std::function<void(double sim_time_s, double duration_s)
 
 /// Those who look on; each may be absent. None of them can disturb the run.
 struct Onlookers {
-  Recorder* recorder{nullptr};
-  ProblemDump* dump{nullptr};
+  Recorder* recorder{nullptr};  ///< Takes every control tick.
+  ProblemDump* dump{nullptr};   ///< Takes every solve of the MPC.
   EpisodeProgress progress;
 };
 

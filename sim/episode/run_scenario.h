@@ -13,6 +13,7 @@
 
 namespace sidestep {
 
+/// Where and how a run is recorded; none of it changes the run.
 struct RunOptions {
   std::filesystem::path out_dir;     ///< Created if need be; see Recorder for what it holds.
   std::vector<std::string> command;  ///< The program's arguments, for summary.json.

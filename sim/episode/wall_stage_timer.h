@@ -11,6 +11,8 @@
 
 namespace sidestep {
 
+/// By the steady clock. A stage that runs more than once between two resets has the sum of its
+/// runs.
 class WallStageTimer final : public StageTimer {
  public:
   void Begin(Stage stage) override { start_[Index(stage)] = Clock::now(); }
@@ -30,7 +32,7 @@ class WallStageTimer final : public StageTimer {
   static constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kCount);
   static std::size_t Index(Stage stage) { return static_cast<std::size_t>(stage); }
 
-  std::array<Clock::time_point, kStages> start_{};
+  std::array<Clock::time_point, kStages> start_{};  ///< Of the last Begin().
   std::array<double, kStages> spent_ms_{};
 };
 

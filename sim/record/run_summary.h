@@ -31,9 +31,9 @@ inline constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a run is no PASS.
 struct ReasonSummary {
-  std::string kind;  ///< One of namespace reason.
-  std::string text;  ///< One line for a human.
-  std::optional<double> time_s;
+  std::string kind;              ///< One of namespace reason.
+  std::string text;              ///< One line for a human.
+  std::optional<double> time_s;  ///< When, if at one instant.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -66,12 +66,12 @@ struct ExpectationSummary {
 /// One push as the world applied it, and what it did to the robot; see PushFigures.
 struct PushSummary {
   std::string body;
-  double start_s{kNotTold};
+  double start_s{kNotTold};  ///< As scripted.
   double duration_s{kNotTold};
   double impulse_Ns{kNotTold};            ///< Norm of the integral of the force.
   double impulse_per_mass_mps{kNotTold};  ///< That over the plant's mass.
-  bool recovered{false};
-  double recovery_time_s{kNotTold};
+  bool recovered{false};                  ///< See PushMeter for it and the figures below.
+  double recovery_time_s{kNotTold};       ///< From its end; infinite if it never came.
   double peak_tilt_rad{kNotTold};
   int steps_taken{0};
   double max_step_adjustment_m{kNotTold};
@@ -133,8 +133,8 @@ struct StageTimes {
 
 /// All of summary.json.
 struct RunSummary {
-  std::string program_version;
-  std::string name;  ///< The scenario's.
+  std::string program_version;  ///< Of the program that ran it.
+  std::string name;             ///< The scenario's.
   VerdictClass verdict{VerdictClass::kInvalid};
   std::vector<ReasonSummary> reasons;            ///< Empty if and only if PASS.
   std::vector<ExpectationSummary> expectations;  ///< In the scenario's order.

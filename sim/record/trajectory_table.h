@@ -19,12 +19,14 @@ namespace sidestep {
 
 /// What one row shows.
 struct TrajectoryRow {
-  double time_s;
+  double time_s;  ///< Simulated.
   const WorldTruth& truth;
-  const ControlTick& control;
+  const ControlTick& control;  ///< Of the same tick; both are referred to, not copied.
   WallTimes wall;
 };
 
+/// The columns are fixed by the constructor: feet and joints by name, and whether a joint's command
+/// is a torque or a reference. Names end in their unit, as keys do.
 class TrajectoryTable {
  public:
   /// @param joints  Of the plant.
@@ -38,13 +40,14 @@ class TrajectoryTable {
 
  private:
   class Line;
+  /// Every column in order, which is the file's. The others are its parts.
   void Walk(const TrajectoryRow& row, Line& line) const;
   void WalkTruth(const WorldTruth& truth, Line& line) const;
   void WalkBelief(const ControlTick& control, Line& line) const;
   void WalkPlan(const ControlTick& control, Line& line) const;
   void WalkJoints(const TrajectoryRow& row, Line& line) const;
 
-  std::vector<std::string> feet_;
+  std::vector<std::string> feet_;  ///< Names.
   std::vector<JointInfo> joints_;
   bool has_references_;   ///< Commands are references of servos.
   Eigen::Vector3d up_B_;  ///< Of B's upright.

@@ -13,10 +13,11 @@
 
 namespace sidestep::render {
 
+/// Posture apart, the frame needs nothing of the recording but this.
 struct FrameContent {
   std::size_t row{0};  ///< Of the recording's log; its qpos is the robot's posture.
-  CameraPose camera;
-  std::vector<Decoration> decorations;
+  CameraPose camera;   ///< m and degrees, as MuJoCo has them.
+  std::vector<Decoration> decorations;  ///< Drawn over the scene, in W.
   std::vector<Caption> captions;
 };
 

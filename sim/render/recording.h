@@ -16,13 +16,14 @@
 
 namespace sidestep::render {
 
+/// Read once and not changed while frames are drawn: forked processes draw from it.
 struct Recording {
   StateLog log;
-  std::vector<Footstep> footsteps;
+  std::vector<Footstep> footsteps;  ///< Planned and realised contacts.
   RunSummary summary;
-  std::vector<Sole> soles;
+  std::vector<Sole> soles;            ///< Of the feet that have vertices.
   std::vector<Eigen::Vector3d> p_WC;  ///< CoM of every row (m), by the model's kinematics.
-  DrawScale scale;
+  DrawScale scale;                    ///< From the log and the CoM's first height.
 };
 
 /// Reads a run's folder and computes the CoM of each row with the world's `model`.

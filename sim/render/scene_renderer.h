@@ -27,20 +27,22 @@ class SceneRenderer {
 
   /// Draws one frame. Returns its pixels: 3 bytes (red, green, blue) each, rows from the bottom
   /// up. Valid until the next call.
+  /// Captions are left out of frames less than 240 pixels high, and marks of a scene that is full.
+  /// @param qpos  Of the model's nq; another size is a ContractViolation.
   const std::vector<std::uint8_t>& Draw(const Eigen::VectorXd& qpos, const FrameContent& content);
 
  private:
   void AddDecoration(const Decoration& decoration);
 
-  mjModel* model_;
+  mjModel* model_;  ///< Not owned; must outlive the renderer.
   RenderQuality quality_;
-  OffscreenContext gl_;
-  MjDataPtr data_;
-  mjvScene scene_;
+  OffscreenContext gl_;  ///< Before all that needs a context.
+  MjDataPtr data_;       ///< Holds the posture that is drawn, no simulation.
+  mjvScene scene_;       ///< Owned, freed by the destructor, as renderer_ is.
   mjvOption shown_;
   mjrContext renderer_;
-  mjrRect viewport_;
-  std::vector<std::uint8_t> pixels_;
+  mjrRect viewport_;                  ///< The whole frame.
+  std::vector<std::uint8_t> pixels_;  ///< 3 x width x height bytes.
 };
 
 }  // namespace sidestep::render

@@ -20,6 +20,9 @@ Eigen::Vector3d UprightAxis(const Scenario& scenario);
 double TiltRad(const Eigen::Quaterniond& q_WB,
                const Eigen::Vector3d& up_B = Eigen::Vector3d::UnitZ());
 
+/// The first of these is the fall: a body other than a foot touches the ground, the base (the CoM
+/// on the centroidal plant) is below verdict.min_base_height_ratio of its nominal height, or it
+/// tilts beyond verdict.max_tilt_rad. Extremes go on being measured after it.
 class FallMeter {
  public:
   explicit FallMeter(const Scenario& scenario);
@@ -41,8 +44,8 @@ class FallMeter {
  private:
   VerdictParams bounds_;
   bool is_centroidal_;
-  Eigen::Vector3d up_B_;
-  double nominal_height_m_;
+  Eigen::Vector3d up_B_;     ///< UprightAxis().
+  double nominal_height_m_;  ///< Of what is watched, by the robot's description.
   double min_height_m_{std::numeric_limits<double>::infinity()};
   double max_height_m_{-std::numeric_limits<double>::infinity()};
   double tilt_rad_{0.0};

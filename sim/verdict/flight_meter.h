@@ -24,8 +24,8 @@ class FlightMeter {
   static constexpr double kLowest_m = -std::numeric_limits<double>::infinity();
 
   double tick_s_;
-  int num_ticks_{0};
-  double apex_m_{kLowest_m};
+  int num_ticks_{0};          ///< Of the flight under way.
+  double apex_m_{kLowest_m};  ///< In it.
   double nominal_apex_m_{kLowest_m};
   double max_apex_error_m_{std::numeric_limits<double>::quiet_NaN()};
 };

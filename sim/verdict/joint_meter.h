@@ -10,6 +10,8 @@
 
 namespace sidestep {
 
+/// Of actuated joints alone. A slide counts for torques (as forces) but has no margin: metres and
+/// radians are not compared.
 class JointMeter {
  public:
   /// @param joints  Of the plant. @param tick_s  Length of a tick.

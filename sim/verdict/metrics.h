@@ -23,6 +23,7 @@ struct EnumNames<MetricGroup> {
       {{MetricGroup::kTruth, "truth"}, {MetricGroup::kController, "controller"}}};
 };
 
+/// One line of the table that summary.json, `expect` and `sidestep metrics` share.
 struct MetricInfo {
   std::string_view name;     ///< Key in summary.json and under `expect`; ends in its unit.
   std::string_view unit;     ///< SI; empty for a count or a truth value.

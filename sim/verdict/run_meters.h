@@ -30,6 +30,9 @@
 
 namespace sidestep {
 
+/// After a fall only what tells of the fall and its path goes on (height, tilt, path, impulse,
+/// energy): feet, joints and the controller are no longer measured, for what a fallen robot does
+/// says nothing of them.
 class RunMeters {
  public:
   /// @param mass_kg  Of the plant, > 0. @param joints  Of the plant.
@@ -47,16 +50,19 @@ class RunMeters {
   const FallMeter& fall() const { return fall_; }
   const SolverMeter& solver() const { return solver_; }
   const JointMeter& joints() const { return joints_; }
-  double max_slip_m() const;
+  double max_slip_m() const;                                    ///< Of all feet (m).
   std::optional<Tick> slip_tick() const { return slip_tick_; }  ///< Beyond verdict.max_slip_m.
   std::optional<Tick> last_tick() const { return last_tick_; }
 
  private:
+  /// Impulses and energy, from the last tick to this one.
   void Integrate(Tick tick, const WorldTruth& truth);
   void AddFeet(Tick tick, const WorldTruth& truth);
+  /// Feet, flight, joints and the controller.
   void AddBeforeFall(Tick tick, const WorldTruth& truth, const ControlTick* control);
   void AddTruthMetrics(Metrics& metrics) const;
   void AddControllerMetrics(Metrics& metrics) const;
+  /// Steps count for the adjustments from here on; 0 without a push.
   Tick FirstPushStart() const;
 
   std::vector<Push> pushes_;

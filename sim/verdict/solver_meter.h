@@ -10,6 +10,8 @@
 
 namespace sidestep {
 
+/// Counts what ControlTick tells and judges nothing but a row of failures: single ones are borne by
+/// the plan in use.
 class SolverMeter {
  public:
   /// @param friction  Of the MPC's cones.
@@ -18,9 +20,12 @@ class SolverMeter {
   /// Takes a control tick.
   void Add(Tick tick, const ControlTick& control);
 
+  /// Solves of the MPC without a usable solution, and whole-body solves that were not ok.
   int mpc_failures() const { return mpc_failures_; }
   int wbc_failures() const { return wbc_failures_; }
+  /// Solves after which the plan before stayed in use.
   int fallbacks() const { return fallbacks_; }
+  /// Of the planned forces, over every control tick; see ConeViolation_N.
   double max_cone_violation_N() const { return max_cone_violation_N_; }
 
   /// Tick at which the MPC had failed too often in a row, and how it failed then.
@@ -28,9 +33,9 @@ class SolverMeter {
   const std::string& lost_status() const { return lost_status_; }
 
  private:
-  double friction_;
+  double friction_;  ///< MpcParams' own, not the world's.
   int mpc_failures_{0};
-  int mpc_failures_in_a_row_{0};
+  int mpc_failures_in_a_row_{0};  ///< Up to the last solve.
   int wbc_failures_{0};
   int fallbacks_{0};
   double max_cone_violation_N_{0.0};

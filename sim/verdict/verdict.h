@@ -33,20 +33,20 @@ struct EnumNames<VerdictClass> {
 
 /// What Reason::kind may be. The first four make a FAIL, the others an INVALID.
 namespace reason {
-inline constexpr char kFall[] = "FALL";
+inline constexpr char kFall[] = "FALL";  ///< At the first sign.
 inline constexpr char kSlip[] = "SLIP";
-inline constexpr char kSolver[] = "SOLVER";
+inline constexpr char kSolver[] = "SOLVER";  ///< Too many MPC failures in a row.
 inline constexpr char kExpectation[] = "EXPECTATION";
-inline constexpr char kDiverged[] = "DIVERGED";
-inline constexpr char kInterrupted[] = "INTERRUPTED";
+inline constexpr char kDiverged[] = "DIVERGED";        ///< Non-finite state, or a MuJoCo warning.
+inline constexpr char kInterrupted[] = "INTERRUPTED";  ///< By the user.
 inline constexpr char kError[] = "ERROR";
 }  // namespace reason
 
 /// Why a run is no PASS.
 struct Reason {
-  std::string kind;  ///< One of namespace reason.
-  std::string text;  ///< One line for a human.
-  std::optional<double> time_s;
+  std::string kind;              ///< One of namespace reason.
+  std::string text;              ///< One line for a human.
+  std::optional<double> time_s;  ///< When it came to be, if at one instant.
 };
 
 /// A metric's value. A number that could not be measured is NaN; one that never came, such as a
@@ -63,6 +63,8 @@ struct ExpectationResult {
   bool pass{false};
 };
 
+/// The decision and what it rests on. INVALID excludes all other reasons: they would be about a run
+/// that did not happen.
 struct Verdict {
   VerdictClass verdict_class{VerdictClass::kPass};
   std::vector<Reason> reasons;                  ///< Empty if and only if PASS.

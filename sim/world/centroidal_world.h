@@ -73,18 +73,19 @@ class CentroidalWorld final : public World {
   void Step(Tick tick) override;
 
  private:
+  /// Forces at the vertices, where the feet are now, and the pushes.
   CentroidalLoad CurrentLoad() const;
   void UpdatePushes(Tick tick);
   void WriteTruth();
 
   std::vector<FootDescription> feet_;
-  double mass_kg_;
+  double mass_kg_;  ///< The robot's times mass_scale.
   double tick_s_;
-  double friction_;
+  double friction_;  ///< Of the circular cone.
   Pushes pushes_;
-  std::vector<int> pushed_foot_;  ///< One a push; -1 for the CoM.
-  std::vector<Eigen::Matrix3Xd> vertex_force_N_;
-  std::vector<JointInfo> joints_;  ///< None.
+  std::vector<int> pushed_foot_;                  ///< One a push; -1 for the CoM.
+  std::vector<Eigen::Matrix3Xd> vertex_force_N_;  ///< By foot, within the cone.
+  std::vector<JointInfo> joints_;                 ///< None.
   CentroidalState state_;
   WorldTruth truth_;
   std::string invalid_reason_;

@@ -22,6 +22,8 @@
 
 namespace sidestep {
 
+/// A tick is one physics step. A MuJoCo warning or a state that is not finite makes it invalid for
+/// good; nothing throws for that. The order of WorldTruth's joints is that of the MJCF's motors.
 class MujocoWorld final : public World {
  public:
   /// Places the robot in its home posture. Throws ConfigError for names that the MJCF lacks, for
@@ -61,11 +63,16 @@ class MujocoWorld final : public World {
   void ResolveFeet(const RobotDescription& robot);
   void ResolveJoints(const RobotDescription& robot);
   void ResolvePushes(const std::vector<Push>& pushes);
+  /// Throws ConfigError if the model has no such sensor.
   int SensorAddress(const std::string& name) const;
   void UpdatePushes(Tick tick);
+  /// Writes xfrc_applied whole, zeros included: it persists in mjData.
   void ApplyPushes();
+  /// Ground forces on feet, other bodies on the ground, self-contact: after the second half of a
+  /// step, before the first half of the next moves the sites.
   void ReadContacts();
   void ReadGroundContact(int contact_id, int robot_body, double sign);
+  /// All of truth_ but contacts and pushes: after the first half of a step.
   void ReadState();
   void ReadJoints();
   void ReadFeet();
@@ -75,7 +82,7 @@ class MujocoWorld final : public World {
   std::shared_ptr<const mjModel> model_;  // the same for all copies
   MjState data_;
   Pushes pushes_;
-  std::vector<PushedObject> pushed_;
+  std::vector<PushedObject> pushed_;  ///< One a push, as the next.
   std::vector<PushedPose> pushed_poses_;
   double mass_kg_{0.0};
   int base_body_{0};
@@ -85,8 +92,8 @@ class MujocoWorld final : public World {
   JointServos servos_;
   ImuSensors imu_;
   std::vector<ForceTorqueSensor> force_torque_;
-  WorldTruth truth_;
-  std::string invalid_reason_;
+  WorldTruth truth_;            ///< Of the current tick; overwritten in place.
+  std::string invalid_reason_;  ///< Empty while valid.
 };
 
 }  // namespace sidestep

@@ -45,14 +45,14 @@ class Pushes {
 
  private:
   struct Latch {
-    bool has_started{false};
-    double heading_rad{0.0};
+    bool has_started{false};  ///< The heading is taken once.
+    double heading_rad{0.0};  ///< Of the base on the push's first tick.
   };
 
   std::vector<Push> pushes_;
   double tick_s_;
   std::vector<Latch> latches_;
-  std::vector<PushTruth> acting_;
+  std::vector<PushTruth> acting_;  ///< One a push, what Update() returns.
 };
 
 }  // namespace sidestep

@@ -35,11 +35,19 @@ class CentroidalNlp {
   int num_jacobian_entries() const { return num_jacobian_entries_; }
   int num_hessian_entries() const { return num_hessian_entries_; }
 
+  /// Of num_variables() each: boxes of free footholds, in the contact's axes (m); states and forces
+  /// are free.
   void VariableBounds(Vector lower, Vector upper) const;
+  /// Of num_constraints() each: dynamics first (equalities, 0), then the friction rows, which have
+  /// no lower bound.
   void ConstraintBounds(Vector lower, Vector upper) const;
 
+  /// J at x: half the weighted squares of the tasks, summed over the knots. The knot at 0, which no
+  /// variable moves, is counted.
   double Cost(ConstVector x) const;
+  /// dJ/dx, dense, of num_variables().
   void Gradient(ConstVector x, Vector gradient) const;
+  /// g(x), of num_constraints(); explicit Euler between knots.
   void Constraints(ConstVector x, Vector g) const;
 
   /// Row and column of each entry of dg/dx, from 0, no entry twice. Arrays of
@@ -69,11 +77,16 @@ class CentroidalNlp {
   template <typename Emit>
   void VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const;
 
+  /// A free foothold's or a force's phase, in the problem.
   const ContactPhase& PhaseOf(int contact, int phase) const;
+  /// Position, velocity or angular part of the state at knot k, mass-normalised; at 0 the measured
+  /// one.
   Eigen::Vector3d StateOrInitial(ConstVector x, int k, int part) const;
+  /// Place of the force in W (m), with the foothold's adjustment if it is free.
   Eigen::Vector3d VertexPosition(ConstVector x, const ForceSlot& slot) const;
   double ForceCost(ConstVector x) const;
   void ForceGradient(ConstVector x, Vector gradient) const;
+  /// Over the vertices of the slot's contact at its knot, mass-normalised.
   Eigen::Vector3d MeanForce(ConstVector x, const ForceSlot& slot) const;
   Eigen::Vector3d Asymmetry(ConstVector x, const ForceSlot& slot) const;
   Eigen::Vector3d SymmetrySlope(ConstVector x, const ForceSlot& slot) const;
@@ -83,7 +96,7 @@ class CentroidalNlp {
 
   const CentroidalOcp* ocp_{nullptr};
   NlpLayout layout_;
-  int num_jacobian_entries_{0};
+  int num_jacobian_entries_{0};  ///< Counted by SetProblem(), as the next is.
   int num_hessian_entries_{0};
   mutable Eigen::VectorXd scratch_;  ///< Constraint values of ConstraintViolation().
 };

@@ -22,6 +22,8 @@ void EmitDiagonal(int row, int column, double value, Emit&& emit) {
 }
 
 /// Calls emit for the six entries of [vector]x off the diagonal.
+/// The off-diagonal places of the Jacobian of a cross product; the diagonal is zero for every
+/// vector and never an entry. `row` and `column` are those of the block's upper left corner.
 template <typename Emit>
 void EmitSkew(int row, int column, const Eigen::Vector3d& vector, Emit&& emit) {
   emit(row, column + 1, -vector.z());
@@ -33,6 +35,7 @@ void EmitSkew(int row, int column, const Eigen::Vector3d& vector, Emit&& emit) {
 }
 
 /// Calls emit for all nine entries of `block`.
+/// Row by row, zeros included: the structure must not depend on the values.
 template <typename Emit>
 void EmitDense(int row, int column, const Eigen::Matrix3d& block, Emit&& emit) {
   for (int a = 0; a < 3; ++a) {

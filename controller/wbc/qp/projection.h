@@ -14,6 +14,8 @@
 
 namespace sidestep::wbc::internal {
 
+/// kEmpty: no y meets the rows, proved by the active ones. kIterationLimit: out of changes, y may
+/// still violate rows.
 enum class ProjectionStatus { kSolved, kEmpty, kIterationLimit };
 
 enum class Side { kLower, kUpper };
@@ -51,11 +53,15 @@ class Projection {
  private:
   enum class Step { kFull, kDropped, kEmpty, kIgnored };
 
+  /// Takes in the row whose normal is in rotated_; false if it depends on the active ones.
   bool Append(int row, double sign);
+  /// Drops active row k, and turns Q so that R is triangular again.
   void Remove(int k);
+  /// y and multipliers from the active rows alone.
   void SolveActiveSet();
   void DropNegativeMultipliers();
   int MostViolated() const;
+  /// A step of the dual method towards the bound of a violated row.
   Step StepTowards(int row, double sign, double& new_multiplier);
   ProjectionStatus Enforce(int row, int max_changes);
   bool IsProof(int row, double sign) const;
@@ -66,12 +72,12 @@ class Projection {
   int active_{0};
   int changes_{0};
   Eigen::MatrixXd normals_;
-  Eigen::VectorXd lower_, upper_, slack_;
+  Eigen::VectorXd lower_, upper_, slack_;  // one a row
   Eigen::VectorXd y_, values_;
   // Active rows as sign * n' y >= bound; their normals are Q [R; 0].
   Eigen::MatrixXd q_, r_;
   Eigen::VectorXd rotated_target_;  // Q' y_0, turned along with Q
-  Eigen::VectorXi row_;
+  Eigen::VectorXi row_;             // of each active one
   Eigen::VectorXd sign_, multiplier_;
   Eigen::VectorXd rotated_;       // Q' times the normal being added
   Eigen::VectorXd coefficients_;  // of the part of that normal that the active ones span

@@ -17,6 +17,8 @@
 
 namespace sidestep::wbc::internal {
 
+/// All memory is taken by the constructor, for the largest problem that `maxima` allows; a solve of
+/// any smaller one uses a corner of it and allocates nothing.
 class QpWorkspace {
  public:
   QpWorkspace(const DenseQpDimensions& maxima, const DenseQpOptions& options);
