@@ -68,6 +68,11 @@ void CheckPlant(const Scenario& scenario, const ConfigTree& root) {
                  "= mujoco needs a robot with an MJCF, which '" + scenario.robot_name +
                      "' lacks; write plant: centroidal");
   }
+  if (scenario.plant == Plant::kCentroidal && scenario.robot.mass_kg <= 0.0) {
+    FailAtEither(root, "plant", "robot",
+                 "= centroidal needs a robot whose robot.yaml tells its mass_kg, which '" +
+                     scenario.robot_name + "' does not; write plant: mujoco");
+  }
 }
 
 /// Whether the robot can be moved in the mode that the control block asks for. On the centroidal

@@ -32,7 +32,9 @@ struct SolveArguments {
 
 Json ReadProblem(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) throw ConfigError(file.string() + ": error: can't be read");
+  if (!in || std::filesystem::is_directory(file)) {
+    throw ConfigError(file.string() + ": error: can't be read");
+  }
   try {
     Json problem = Json::parse(in);
     if (!problem.is_object()) throw ConfigError(file.string() + ": error: is not a JSON object");

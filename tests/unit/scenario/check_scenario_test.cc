@@ -36,6 +36,13 @@ TEST_F(CheckScenarioTest, Plant) {
             "write plant: centroidal");
 }
 
+TEST_F(CheckScenarioTest, TheCentroidalPlantNeedsAMass) {
+  EXPECT_EQ(
+      ErrorIn("sidestep: 1\nname: a\nrobot: mini\nplant: centroidal\nduration_s: 1\n"),
+      "a.yaml:4:8: error: plant = centroidal needs a robot whose robot.yaml tells its mass_kg, "
+      "which 'mini' does not; write plant: mujoco");
+}
+
 TEST_F(CheckScenarioTest, PositionControlNeedsServos) {
   EXPECT_EQ(ErrorOfEdit("mode: torque", "mode: position"),
             "a.yaml:8:9: error: control.mode = position needs a robot with servos, which 'mini' "
@@ -200,8 +207,9 @@ TEST_F(CheckScenarioTest, Pushes) {
             "a.yaml:13:12: error: pushes.0.body = 'world' is no body or frame of 'mini'; known "
             "ones: trunk, thigh, shank, imu, foot")
       << "the world can't be pushed";
-  EXPECT_EQ(ErrorOfEdit("plant: mujoco", "plant: centroidal"),
-            "a.yaml:13:12: error: pushes.0.body = 'trunk' is no body or frame of 'mini'; known "
+  EXPECT_EQ(ErrorIn("sidestep: 1\nname: a\nrobot: point\nplant: centroidal\nduration_s: 1\n"
+                    "pushes: [{body: trunk, force_N: [1, 0, 0], start_s: 0, duration_s: 0.1}]\n"),
+            "a.yaml:6:17: error: pushes.0.body = 'trunk' is no body or frame of 'point'; known "
             "ones: com, foot")
       << "the reduced model has no trunk";
   EXPECT_EQ(ErrorOfEdit("duration_s: 6", "duration_s: 4.05"),
