@@ -23,20 +23,20 @@ constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.x
 }  // namespace
 
 RigidBody::RigidBody(const RobotDescription& robot)
-    : instance_(CompileMjcf(kBareWorld, RequireModel(robot).simulated_mjcf, robot.model->file)),
-      mass_kg_(mj_getTotalmass(instance_.model())),
-      gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(instance_.model()->opt.gravity)) {
+    : state_(CompileMjcf(kBareWorld, RequireModel(robot).simulated_mjcf, robot.model->file)),
+      mass_kg_(mj_getTotalmass(&state_.model())),
+      gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(state_.model().opt.gravity)) {
   ResolveNames(robot);
   TakeMemory();
-  PlaceAtHome(*instance_.model(), robot, instance_.data());
-  home_position_ = Eigen::Map<const Eigen::VectorXd>(instance_.data()->qpos, instance_.model()->nq);
+  PlaceAtHome(state_.model(), robot, state_.get());
+  home_position_ = Eigen::Map<const Eigen::VectorXd>(state_->qpos, state_.model().nq);
   RobotState home;
   WriteHome(&home);
   Update(home);
 }
 
 void RigidBody::ResolveNames(const RobotDescription& robot) {
-  const mjModel& model = *instance_.model();
+  const mjModel& model = state_.model();
   base_body_ = RequireId(model, mjOBJ_BODY, robot.base);
   const int root = model.body_jntadr[base_body_];
   SIDESTEP_REQUIRE(root == 0 && model.jnt_type[0] == mjJNT_FREE, robot.base);
@@ -57,7 +57,7 @@ void RigidBody::ResolveNames(const RobotDescription& robot) {
 }
 
 void RigidBody::ResolveActuators() {
-  const mjModel& model = *instance_.model();
+  const mjModel& model = state_.model();
   torque_limit_Nm_.setZero(model.nu);
   joint_lower_.setConstant(model.nu, -std::numeric_limits<double>::infinity());
   joint_upper_.setConstant(model.nu, std::numeric_limits<double>::infinity());
@@ -76,7 +76,7 @@ void RigidBody::ResolveActuators() {
 
 // Hinges between base and IMU.
 void RigidBody::ResolveImuChain() {
-  const mjModel& model = *instance_.model();
+  const mjModel& model = state_.model();
   int body = model.site_bodyid[imu_site_];
   for (; body != base_body_ && body != 0; body = model.body_parentid[body]) {
     for (int i = 0; i < model.body_jntnum[body]; ++i) {
@@ -102,7 +102,7 @@ void RigidBody::TakeMemory() {
 }
 
 void RigidBody::SetState(const RobotState& state) {
-  mjData* data = instance_.data();
+  mjData* data = state_.get();
   Eigen::Map<Eigen::Vector3d>(data->qpos) = state.p_WB;
   ToMuJoCo(state.q_WB, data->qpos + 3);
   Eigen::Map<Eigen::Vector3d>(data->qvel) = state.v_WB;
@@ -114,14 +114,14 @@ void RigidBody::SetState(const RobotState& state) {
 void RigidBody::SetJoints(const RobotState& state) {
   for (std::size_t i = 0; i < actuated_position_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    instance_.data()->qpos[actuated_position_[i]] = state.joint_position[at];
-    instance_.data()->qvel[actuated_velocity_[i]] = state.joint_velocity[at];
+    state_->qpos[actuated_position_[i]] = state.joint_position[at];
+    state_->qvel[actuated_velocity_[i]] = state.joint_velocity[at];
   }
 }
 
 void RigidBody::Update(const RobotState& state) {
-  const mjModel* model = instance_.model();
-  mjData* data = instance_.data();
+  const mjModel* model = &state_.model();
+  mjData* data = state_.get();
   SetState(state);
   mj_kinematics(model, data);
   mj_comPos(model, data);
@@ -153,8 +153,8 @@ void RigidBody::Update(const RobotState& state) {
 
 void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
   RequireState();
-  Eigen::Map<Eigen::Vector3d>(instance_.data()->qpos) += p;
-  Eigen::Map<Eigen::Vector3d>(instance_.data()->qvel) += v;
+  Eigen::Map<Eigen::Vector3d>(state_->qpos) += p;
+  Eigen::Map<Eigen::Vector3d>(state_->qvel) += v;
   velocity_.head<3>() += v;
   centroidal_.p_WC += p;
   centroidal_.v_WC += v;
@@ -167,16 +167,16 @@ void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
 }
 
 ImuInBase RigidBody::LocateImu(const RobotState& state) {
-  mjData* data = instance_.data();
+  mjData* data = state_.get();
   has_state_ = false;
   mju_zero3(data->qpos);
   mju_unit4(data->qpos + 3);
   SetJoints(state);
-  mj_kinematics(instance_.model(), data);
+  mj_kinematics(&state_.model(), data);
   ImuInBase imu{ConstMatrix3Map(data->site_xmat + 9 * imu_site_), Eigen::Vector3d::Zero()};
   for (const int joint : joints_to_imu_) {
     imu.w_BU_B +=
-        data->qvel[instance_.model()->jnt_dofadr[joint]] * ConstVector3Map(data->xaxis + 3 * joint);
+        data->qvel[state_.model().jnt_dofadr[joint]] * ConstVector3Map(data->xaxis + 3 * joint);
   }
   return imu;
 }
@@ -184,9 +184,9 @@ ImuInBase RigidBody::LocateImu(const RobotState& state) {
 const std::vector<ForceTorqueKinematics>& RigidBody::PredictForceTorque(
     const Eigen::VectorXd& nudot) {
   RequireState();
-  mjData* data = instance_.data();
+  mjData* data = state_.get();
   Eigen::Map<Eigen::VectorXd>(data->qacc, num_velocities()) = nudot;
-  mj_sensorAcc(instance_.model(), data);
+  mj_sensorAcc(&state_.model(), data);
   for (std::size_t i = 0; i < force_torque_.size(); ++i) {
     const ForceTorqueIds& ids = force_torque_ids_[i];
     force_torque_[i].p_WS = ConstVector3Map(data->site_xpos + 3 * ids.site);

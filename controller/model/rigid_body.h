@@ -14,9 +14,9 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "controller/model/model_instance.h"
 #include "controller/types/robot_state.h"
 #include "models/mjcf/centroidal_motion.h"
+#include "models/mjcf/mj_state.h"
 #include "models/robot_description/robot_description.h"
 
 namespace sidestep {
@@ -108,8 +108,8 @@ class RigidBody {
   void FillDerived(RobotState* state) const;
 
   /// Sizes of the model, fixed from construction on.
-  int num_velocities() const { return instance_.model()->nv; }
-  int num_actuators() const { return instance_.model()->nu; }
+  int num_velocities() const { return state_.model().nv; }
+  int num_actuators() const { return state_.model().nu; }
   std::size_t num_feet() const { return foot_site_.size(); }
   bool has_torso() const { return torso_site_ >= 0; }
   bool has_force_torque() const { return !force_torque_ids_.empty(); }
@@ -184,7 +184,7 @@ class RigidBody {
   void EvaluateFrameBias() const;
   void EvaluateAngularMomentum() const;
 
-  ModelInstance instance_;
+  MjState state_;
   double mass_kg_{0.0};
   Eigen::Vector3d gravity_mps2_;
   int base_body_{0};

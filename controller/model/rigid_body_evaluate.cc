@@ -48,8 +48,8 @@ void RigidBody::EvaluateMassMatrix() const {
   RequireState();
   if (evaluated_.has_mass_matrix) return;
   evaluated_.has_mass_matrix = true;
-  mj_crb(instance_.model(), instance_.data());
-  mj_fullM(instance_.model(), evaluated_.mass_matrix.data(), instance_.data()->qM);
+  mj_crb(&state_.model(), state_.get());
+  mj_fullM(&state_.model(), evaluated_.mass_matrix.data(), state_->qM);
   // The base's linear rows are Newton's law of the whole robot: m a_C - m g = sum of forces.
   evaluated_.com_jacobian = evaluated_.mass_matrix.topRows<3>() / mass_kg_;
 }
@@ -68,8 +68,8 @@ void RigidBody::EvaluateBias() const {
   RequireState();
   if (evaluated_.has_bias) return;
   evaluated_.has_bias = true;
-  const mjModel* model = instance_.model();
-  mjData* data = instance_.data();
+  const mjModel* model = &state_.model();
+  mjData* data = state_.get();
   mj_passive(model, data);
   mj_rne(model, data, 0, data->qfrc_bias);
   evaluated_.bias = Eigen::Map<const Eigen::VectorXd>(data->qfrc_bias, model->nv) -
@@ -91,8 +91,8 @@ void RigidBody::EvaluateFrameJacobians() const {
   RequireState();
   if (evaluated_.has_frame_jacobians) return;
   evaluated_.has_frame_jacobians = true;
-  const mjModel* model = instance_.model();
-  mjData* data = instance_.data();
+  const mjModel* model = &state_.model();
+  mjData* data = state_.get();
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FrameJacobian& foot = evaluated_.foot_jacobian[i];
     mj_jacSite(model, data, foot.J.data(), foot.J_rot.data(), foot_site_[i]);
@@ -116,8 +116,8 @@ void RigidBody::EvaluateFrameBias() const {
   RequireState();
   if (evaluated_.has_frame_bias) return;
   evaluated_.has_frame_bias = true;
-  const mjModel* model = instance_.model();
-  mjData* data = instance_.data();
+  const mjModel* model = &state_.model();
+  mjData* data = state_.get();
   // With qacc = 0 an object's acceleration is Jdot nu, minus gravity by MuJoCo's convention.
   mju_zero(data->qacc, model->nv);
   mj_rnePostConstraint(model, data);
@@ -150,7 +150,7 @@ void RigidBody::EvaluateAngularMomentum() const {
   EvaluateBias();
   if (evaluated_.has_angular_momentum) return;
   evaluated_.has_angular_momentum = true;
-  const mjData* data = instance_.data();
+  const mjData* data = state_.get();
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R_WB(data->xmat +
                                                                             9 * base_body_);
   const Eigen::Vector3d p_BC_W =
