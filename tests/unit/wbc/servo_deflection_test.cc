@@ -82,7 +82,7 @@ TEST_F(ServoDeflectionTest, ForcesAtOneVertexAndInMotionHoldTheSame) {
   stance_.feet[0].vertex_force_N.setZero();
   stance_.feet[0].vertex_force_N.col(1) = Eigen::Vector3d(12.0, -7.0, 40.0);
   stance_.feet[1].vertex_force_N.setZero();
-  stance_.feet[1].vertex_force_N.col(4) = Eigen::Vector3d(-5.0, 9.0, 60.0);
+  stance_.feet[1].vertex_force_N.col(3) = Eigen::Vector3d(-5.0, 9.0, 60.0);
   const Eigen::VectorXd torque_Nm = HoldingTorque(state);
   ASSERT_LT((torque_Nm.cwiseAbs() - stance_.body.torque_limit_Nm()).maxCoeff(), 0.0);
   EXPECT_LT((Torque(servos_.Update(stance_.body, stance_.feet)) - torque_Nm).norm(), 1e-8);
