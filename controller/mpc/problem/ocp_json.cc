@@ -72,7 +72,7 @@ ContactPhase PhaseFromJson(const JsonNode& node, int free_from) {
 }
 
 Eigen::VectorXd SharesFromJson(const JsonNode& node, std::size_t count) {
-  const Eigen::VectorXd shares = node.Numbers(count);
+  Eigen::VectorXd shares = node.Numbers(count);
   if (shares.minCoeff() < 0.0 || std::abs(shares.sum() - 1.0) > kShareTolerance) {
     node.Fail("shares of a force, at least 0 and 1 in sum");
   }

@@ -20,6 +20,32 @@ constexpr double kLeastSlack = 1e-8;  // m/s^2, after a recovery.
 constexpr int kMaxRecoveries = 8;
 constexpr int kMaxAdaptive = 60;  // Iterations before the barrier falls monotonically.
 
+// As in Waechter & Biegler, "On the implementation of an interior-point filter line-search
+// algorithm for large-scale nonlinear programming", 2006, with their letters.
+constexpr double kLeastFraction = 0.99;        // tau_min, of the way to the bounds.
+constexpr double kSolvedShare = 10.0;          // kappa_epsilon: error over barrier.
+constexpr double kBarrierFactor = 0.2;         // kappa_mu.
+constexpr double kBarrierPower = 1.5;          // theta_mu.
+constexpr double kLeastBarrierDivisor = 10.0;  // Of the tolerance.
+constexpr double kMultiplierScale = 100.0;     // s_max.
+constexpr double kFilterTop = 1e4;             // theta_max, of the first infeasibility.
+constexpr double kSmallInfeasibility = 1e-4;   // theta_min, of the first infeasibility.
+constexpr double kInfeasibilityShare = 1e-5;   // gamma_theta.
+constexpr double kValueShare = 1e-8;           // gamma_phi.
+constexpr double kArmijo = 1e-4;               // eta_phi.
+constexpr double kSlopePower = 2.3;            // s_phi.
+constexpr double kInfeasibilityPower = 1.1;    // s_theta.
+constexpr double kRounding = 1e-13;            // Of a value that a step may leave as it is.
+constexpr int kMaxHalvings = 25;               // Of a step, before the search is given up.
+// Shift of the diagonal (delta_w): the first, the least of later ones, and how it moves. Ours
+// begins higher than theirs (1e-4) and gives up after fewer attempts.
+constexpr double kFirstShift = 1e-2;
+constexpr double kLeastShift = 1e-8;
+constexpr double kShiftDecrease = 3.0;         // 1 / kappa_w^-.
+constexpr double kFirstShiftIncrease = 100.0;  // kappa_w^+ bar.
+constexpr double kShiftIncrease = 8.0;         // kappa_w^+.
+constexpr int kMaxShifts = 40;
+
 class Minimizer {
  public:
   Minimizer(const ProblemView& problem, const Settings& settings, Workspace* workspace)
@@ -39,6 +65,7 @@ class Minimizer {
   void ResetFilter();
   void Start();
   void Accept(const StepLimits& step);
+  double LeastBarrier() const { return settings_.tolerance / kLeastBarrierDivisor; }
   double Value(const Evaluation& at) const { return at.cost - barrier_ * at.log_sum; }
 
   const ProblemView& problem_;
@@ -48,7 +75,7 @@ class Minimizer {
   double barrier_{0.0};
   double shift_{0.0};
   double last_shift_{0.0};
-  double fraction_{0.99};
+  double fraction_{kLeastFraction};
   double first_infeasibility_{1.0};
   int num_recoveries_{0};
   bool is_adaptive_{true};
@@ -62,21 +89,23 @@ double Minimizer::KktError(double barrier) const {
   const int num_faces = problem_.num_faces * problem_.num_slots;
   const int num_bounds = num_faces + num_box;
   const double count = 9.0 * problem_.knots + num_faces + num_bounds;
-  const double dual_scale = Max(100.0, at.multiplier_sum / count) / 100.0;
+  const double dual_scale = Max(kMultiplierScale, at.multiplier_sum / count) / kMultiplierScale;
   const double product_scale =
-      num_bounds == 0 ? 1.0 : Max(100.0, at.bound_sum / num_bounds) / 100.0;
+      num_bounds == 0 ? 1.0 : Max(kMultiplierScale, at.bound_sum / num_bounds) / kMultiplierScale;
   const double product =
       num_bounds == 0 ? 0.0
                       : Max(Abs(at.largest_product - barrier), Abs(at.smallest_product - barrier));
   return Max(Max(at.dual / dual_scale, work_.now.largest_residual), product / product_scale);
 }
 
-void Minimizer::ResetFilter() { filter_.Reset(1e4 * Max(1.0, first_infeasibility_)); }
+void Minimizer::ResetFilter() { filter_.Reset(kFilterTop * Max(1.0, first_infeasibility_)); }
 
 void Minimizer::LowerBarrier() {
-  while (KktError(barrier_) <= 10.0 * barrier_ && barrier_ > settings_.tolerance / 10.0) {
-    barrier_ = Max(settings_.tolerance / 10.0, Min(0.2 * barrier_, __builtin_pow(barrier_, 1.5)));
-    fraction_ = Max(0.99, 1.0 - barrier_);
+  const double least = LeastBarrier();
+  while (KktError(barrier_) <= kSolvedShare * barrier_ && barrier_ > least) {
+    const double next = Min(kBarrierFactor * barrier_, __builtin_pow(barrier_, kBarrierPower));
+    barrier_ = Max(least, next);
+    fraction_ = Max(kLeastFraction, 1.0 - barrier_);
     ResetFilter();
   }
 }
@@ -85,16 +114,16 @@ void Minimizer::LowerBarrier() {
 bool Minimizer::FactorizeShifted() {
   work_.newton.is_exact = settings_.is_exact;
   shift_ = 0.0;
-  for (int attempt = 0; attempt < 40; ++attempt) {
+  for (int attempt = 0; attempt < kMaxShifts; ++attempt) {
     work_.newton.shift = shift_;
     if (Factorize(problem_, work_.now, work_.linear, work_.newton)) {
       if (shift_ > 0.0) last_shift_ = shift_;
       return true;
     }
     if (shift_ == 0.0) {
-      shift_ = last_shift_ == 0.0 ? 1e-2 : Max(1e-8, last_shift_ / 3.0);
+      shift_ = last_shift_ == 0.0 ? kFirstShift : Max(kLeastShift, last_shift_ / kShiftDecrease);
     } else {
-      shift_ *= last_shift_ == 0.0 ? 100.0 : 8.0;
+      shift_ *= last_shift_ == 0.0 ? kFirstShiftIncrease : kShiftIncrease;
     }
   }
   return false;
@@ -121,10 +150,10 @@ void Minimizer::Correct() {
   const double now = AverageProduct(problem_, work_.point, work_.direction, full);
   const double then = AverageProduct(problem_, work_.point, work_.direction, affine);
   const double ratio = now > 0.0 ? then / now : 0.0;
-  barrier_ = Max(settings_.tolerance / 10.0, now * ratio * ratio * ratio);
+  barrier_ = Max(LeastBarrier(), now * ratio * ratio * ratio);
   // Along directions of negative curvature the way is long: keep away from the bounds.
   if (shift_ > 0.0) barrier_ = Max(barrier_, kSaddleShare * KktError(now));
-  fraction_ = Max(0.99, 1.0 - barrier_);
+  fraction_ = Max(kLeastFraction, 1.0 - barrier_);
   ResetFilter();
   BuildCorrection(problem_, work_.point, work_.direction, barrier_, affine.primal * affine.dual,
                   work_.target, work_.change);
@@ -138,18 +167,17 @@ bool Minimizer::IsAcceptable(double step, double slope, double infeasibility, do
   const double now_infeasibility = work_.now.infeasibility;
   if (!IsFinite(infeasibility) || !IsFinite(value)) return false;
   if (!filter_.Accepts(infeasibility, value)) return false;
-  const double small = 1e-4 * Max(1.0, first_infeasibility_);
-  const double slack = 1e-14 * Abs(now) * 10.0;  // Rounding.
-  const bool is_descent =
-      slope < 0.0 && step * __builtin_pow(-slope, 2.3) > __builtin_pow(now_infeasibility, 1.1);
+  const double small = kSmallInfeasibility * Max(1.0, first_infeasibility_);
+  const double slack = kRounding * Abs(now);
+  const bool is_descent = slope < 0.0 && step * __builtin_pow(-slope, kSlopePower) >
+                                             __builtin_pow(now_infeasibility, kInfeasibilityPower);
   if (now_infeasibility <= small && is_descent) {
-    return value <= now + 1e-4 * step * slope + slack;
+    return value <= now + kArmijo * step * slope + slack;
   }
-  const bool is_better = infeasibility <= (1.0 - 1e-5) * now_infeasibility ||
-                         value - slack <= now - 1e-8 * now_infeasibility;
-  if (is_better) {
-    filter_.Add((1.0 - 1e-5) * now_infeasibility, now - 1e-8 * now_infeasibility);
-  }
+  const double least_infeasibility = (1.0 - kInfeasibilityShare) * now_infeasibility;
+  const double least_value = now - kValueShare * now_infeasibility;
+  const bool is_better = infeasibility <= least_infeasibility || value - slack <= least_value;
+  if (is_better) filter_.Add(least_infeasibility, least_value);
   return is_better;
 }
 
@@ -168,7 +196,7 @@ bool Minimizer::SearchLine() {
   StepLimits step = LimitSteps(problem_, work_.point, work_.direction, fraction_);
   const double slope =
       BarrierSlope(problem_, work_.point, work_.direction, work_.linear.gradient, barrier_);
-  for (int halvings = 0; halvings < 25; ++halvings) {
+  for (int halvings = 0; halvings < kMaxHalvings; ++halvings) {
     TakeStep(problem_, work_.point, work_.direction, step, work_.trial);
     Evaluate(problem_, work_.trial, &work_.next);
     if (IsAcceptable(step.primal, slope, work_.next.infeasibility, Value(work_.next))) {
@@ -207,7 +235,7 @@ void Minimizer::Start() {
     StartInside(problem_, kPush, barrier_, work_.point);
     Linearize(problem_, work_.point, &work_.linear);
   }
-  fraction_ = Max(0.99, 1.0 - barrier_);
+  fraction_ = Max(kLeastFraction, 1.0 - barrier_);
 }
 
 Summary Minimizer::Run() {
