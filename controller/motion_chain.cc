@@ -2,18 +2,15 @@
 #include "controller/motion_chain.h"
 
 #include "controller/mpc/problem/ocp_json.h"
+#include "controller/planner/gait_geometry.h"
 #include "controller/planner/momentum_reference.h"
 
 namespace sidestep {
 namespace {
 
 GaitPlanner MakePlanner(const ControllerSetup& setup) {
-  const GaitGeometry geometry{static_cast<int>(setup.robot.feet.size()),
-                              setup.robot.com_height_m,
-                              setup.robot.feet.front().sole_height_m,
-                              setup.control.mpc.box_lower_m,
-                              setup.control.mpc.box_upper_m,
-                              setup.control.planner.com_sway};
+  const GaitGeometry geometry =
+      MakeGaitGeometry(setup.robot, setup.control.planner, setup.control.mpc);
   const Tick horizon =
       (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
   return {{setup.gait, geometry, setup.tick_s}, setup.control.planner, horizon};
@@ -60,7 +57,12 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
   if (mpc_.Activate(tick)) {  // the chain's one arrow back: what was planned is where feet will go
     planner_.AdoptFootholds(mpc_.footholds());
   }
-  if (mpc_.has_plan()) com_ = mpc_.ComAt(tick);
+  if (mpc_.has_plan()) {
+    com_ = mpc_.ComAt(tick);
+  } else {
+    const ComReference nominal = planner_.ReferenceAt(tick);
+    com_ = {nominal.p_WC, nominal.v_WC, nominal.a_WC};
+  }
   return com_;
 }
 

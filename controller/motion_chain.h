@@ -34,7 +34,8 @@ class MotionChain {
   /// and hands its footholds back to the planner. Call every control tick.
   /// @param momentum  Angular momentum about C to follow from now on (kg m^2/s, in W): see
   ///                  momentum_reference.h. Read only where SolvesAt(tick).
-  /// @return          CoM motion that the plan in use implies at `tick`.
+  /// @return          CoM motion that the plan in use implies at `tick`; the nominal one as long as
+  ///                  there is no plan, for the first solve failed.
   const ComTarget& Plan(const RobotState& state, const Eigen::Vector3d& momentum, Tick tick,
                         StageTimer* timer);
 

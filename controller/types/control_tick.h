@@ -29,7 +29,8 @@ struct FootTarget {
 
 /// CoM motion that the MPC's solution implies at this instant.
 /// Acceleration is constant within a knot of the plan, and position and velocity are integrated
-/// from the belief at the solve: the belief of now does not enter. Zero before the first plan.
+/// from the belief at the solve: the belief of now does not enter. The nominal motion before the
+/// first plan.
 struct ComTarget {
   Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
   Eigen::Vector3d v_WC{Eigen::Vector3d::Zero()};  ///< m/s.

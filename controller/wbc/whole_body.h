@@ -21,7 +21,7 @@ class WholeBody {
   /// Writes the command of this tick. `body` must be at `state`. A failed solve is told in the
   /// report; the command is then the previous one, unless the class tells of another way out.
   /// Does not allocate after the first call.
-  /// @param com      What the CoM should do now; zero before the first plan.
+  /// @param com      What the CoM should do now; the nominal motion before the first plan.
   /// @param feet     One a foot of the robot, in its order.
   /// @param command  The one that was written last, or an empty one; its size is settled by the
   /// first call.

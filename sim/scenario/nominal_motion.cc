@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "models/support/require.h"
+#include "controller/planner/gait_geometry.h"
 
 namespace sidestep {
 namespace {
@@ -13,11 +13,8 @@ constexpr double kMargin_s = 5.0;
 
 NominalGait GaitOf(const Scenario& scenario, Tick end_tick) {
   const RobotDescription& robot = scenario.robot;
-  SIDESTEP_REQUIRE(!robot.feet.empty(), robot.name);
-  const GaitGeometry geometry{
-      static_cast<int>(robot.feet.size()), robot.com_height_m,
-      robot.feet.front().sole_height_m,    scenario.control.mpc.box_lower_m,
-      scenario.control.mpc.box_upper_m,    scenario.control.planner.com_sway};
+  const GaitGeometry geometry =
+      MakeGaitGeometry(robot, scenario.control.planner, scenario.control.mpc);
   return BuildNominalGait(scenario.gait, geometry, end_tick, scenario.world.step_s);
 }
 

@@ -39,7 +39,8 @@ std::vector<Room> ControllerRooms() {
       {"controller/types", {}},
       {"controller/model", kTypes + kRobot, true},
       {"controller/estimator", kTypes + Folders{"controller/model"}},
-      {"controller/planner", kTypes + Folders{"controller/model/upright.h"}},
+      {"controller/planner", kTypes + Folders{"controller/model/upright.h",
+                                              "models/robot_description/robot_description.h"}},
       {"controller/mpc/problem", kTypes},
       {"controller/mpc/ipopt", kTypes + Folders{"controller/mpc/problem"}},
       {"controller/mpc/structured", kTypes + Folders{"controller/mpc/problem"}},
@@ -59,7 +60,7 @@ std::vector<Room> SimRooms() {
       // the pure generator of gaits: no controller moves the scenario's nominal motion.
       {"sim/scenario",
        kRobot + Folders{"controller/types", "controller/planner/nominal_gait.h",
-                        "controller/planner/com_spline.h", "sim/verdict/metrics.h"}},
+                        "controller/planner/gait_geometry.h", "sim/verdict/metrics.h"}},
       {"sim/actuators", kTypes + kRobot},
       {"sim/world", kScenario + Folders{"sim/actuators"}, true},
       {"sim/sensors", kWorld, true},
