@@ -86,11 +86,13 @@ void GaitWriter::EndOrder() {
   }
 }
 
-Tick GaitWriter::MoveOfNextLanding() const {
+// A move was checked against the step that it was made for; one that has become another since then,
+// for a new gait begins sooner, must not end before it begins.
+Tick GaitWriter::Moved(Tick in_the_air, Tick least) const {
   for (const TouchDownMove& move : support_.orders.moves) {
-    if (move.sequence == support_.sequence + 1) return move.by;
+    if (move.sequence == support_.sequence + 1) return std::max(in_the_air + move.by, least);
   }
-  return 0;
+  return in_the_air;
 }
 
 std::optional<Tick> GaitWriter::NextSegmentStart() const {
@@ -202,7 +204,7 @@ bool GaitWriter::FeetSideBySide() const {
 
 void GaitWriter::WalkStep(const GaitParams& gait) {
   const int swing = support_.next_foot;
-  const Tick swing_ticks = Ticks(gait.swing_s) + MoveOfNextLanding();
+  const Tick swing_ticks = Moved(Ticks(gait.swing_s), 1);
   Tick landing = support_.tick + swing_ticks;
   if (Foot(swing).stands()) {
     const Tick double_support = Ticks(gait.double_support_s);
@@ -226,14 +228,14 @@ void GaitWriter::RunStep(const GaitParams& gait) {
   }
   AddComKnot(support_.tick + stance_ticks / 2, false);
   LiftOff(stance, support_.tick + stance_ticks);
-  Advance(swing, support_.tick + stance_ticks + Ticks(gait.flight_s) + MoveOfNextLanding(), gait);
+  Advance(swing, support_.tick + stance_ticks + Moved(Ticks(gait.flight_s), 0), gait);
 }
 
 void GaitWriter::HopStep(const GaitParams& gait) {
   const Tick lift_off = support_.tick + Ticks(gait.stance_s);
   AddComKnot(support_.tick + Ticks(gait.stance_s) / 2, false);
   LiftOff(0, lift_off);
-  Advance(0, lift_off + Ticks(gait.flight_s) + MoveOfNextLanding(), gait);
+  Advance(0, lift_off + Moved(Ticks(gait.flight_s), 1), gait);
 }
 
 void GaitWriter::Advance(int foot, Tick landing, const GaitParams& gait) {

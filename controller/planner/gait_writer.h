@@ -57,7 +57,9 @@ class GaitWriter {
   FootSupport& Foot(int foot) { return support_.feet[static_cast<std::size_t>(foot)]; }
   const FootSupport& Foot(int foot) const { return support_.feet[static_cast<std::size_t>(foot)]; }
   double FootX(int foot) const { return Foot(foot).nominal.contact.nominal_p_WF.x(); }
-  Tick MoveOfNextLanding() const;
+  /// The time from a lift-off to the next landing that the gait gives, as ordered, and no less than
+  /// `least`.
+  Tick Moved(Tick in_the_air, Tick least) const;
   std::optional<Tick> NextSegmentStart() const;
   /// Begins a contact of `foot` at `tick`, where the path has it by now.
   void Land(int foot, Tick tick, const GaitParams& gait);

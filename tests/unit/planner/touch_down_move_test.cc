@@ -169,6 +169,23 @@ TEST(TouchDownMoveTest, DelayOverASegmentsStartLetsThatOneBeginThere) {
   EXPECT_EQ(NextSupport(setup, *run)->tick, 1650 + 400) << "stance and flight";
 }
 
+TEST(TouchDownMoveTest, LaterMoveOfAStepThatHasBecomeAShorterOneStillLetsItLand) {
+  GaitParams quick = Stretch(GaitType::kWalk, 2.65);
+  quick.swing_s = 0.3;
+  const GaitSetup setup = SetupOf({Stretch(GaitType::kWalk, 0.0), quick}, 2);
+  // Landing 4 comes at 3.2 s, of a step that begins at 2.4 s, still with a swing of 0.6 s.
+  auto edited = MoveTouchDown(setup, SupportAt(setup, 1000), 1000, {4, -400}, 200);
+  ASSERT_TRUE(edited.has_value());
+  edited = MoveTouchDown(setup, *edited, 1000, {2, 300}, kLeast);
+  ASSERT_TRUE(edited.has_value());
+  GaitSupport support = *edited;
+  while (support.sequence < 3) support = *NextSupport(setup, support);
+  EXPECT_EQ(support.tick, 2700) << "the quick gait is on";
+  const GaitSupport landed = *NextSupport(setup, support);
+  EXPECT_EQ(landed.sequence, 4);
+  EXPECT_GT(landed.tick, 2700 + 200) << "after the double support";
+}
+
 TEST(TouchDownMoveTest, TickThatIsNotInTheSupportBreaksTheContract) {
   const GaitSetup setup = Walking();
   const GaitSupport support = SupportAt(setup, 1800);
