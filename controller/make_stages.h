@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// make_stages: the parts of LocomotionController that a setup chooses between.
+// make_stages: the parts of a controller that a setup chooses between, and the robot as the MPC of
+// any controller sees it.
 
 #include <memory>
 

@@ -10,6 +10,7 @@
 // scenarios/README.md print it.
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -47,6 +48,14 @@ constexpr std::string_view EnumName(Enum value) {
     if (candidate == value) return name;
   }
   return "?";
+}
+
+/// Every value of a named enum, in the order of its names.
+template <typename Enum>
+constexpr auto EnumValues() {
+  std::array<Enum, EnumNames<Enum>::kNames.size()> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = EnumNames<Enum>::kNames[i].first;
+  return values;
 }
 
 /// The SI unit that a name ends in, as text: `rate_hz` gives "Hz", `step_s` "s", `mpc` "". Names of

@@ -53,10 +53,6 @@ struct EnumNames<MpcBackend> {
       {{MpcBackend::kIpopt, "ipopt"}, {MpcBackend::kStructured, "structured"}}};
 };
 
-/// Every back end, for tests and benchmarks that go through all.
-inline constexpr std::array<MpcBackend, 2> kMpcBackends{MpcBackend::kIpopt,
-                                                        MpcBackend::kStructured};
-
 /// The horizon, its solver and what the controller assumes; key by key in VisitFields.
 /// The horizon is knots * step_s long (1.5 s by default) and should hold at least one landing, or
 /// no foothold is decided. Solving more often than once a knot (rate_hz > 1 / step_s) is allowed:

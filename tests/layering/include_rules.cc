@@ -67,8 +67,7 @@ std::string ViolationOf(const Include& include, const Room& room, const std::vec
   }
   if (!include.is_quoted) {
     const bool is_banned =
-        std::count(kBannedInController.begin(), kBannedInController.end(), include.target) > 0 ||
-        StartsWith(include.target, "spdlog/");
+        std::count(kBannedInController.begin(), kBannedInController.end(), include.target) > 0;
     return IsInController(room.folder + "/") && is_banned
                ? "<" + include.target + "> is banned in controller/"
                : std::string();

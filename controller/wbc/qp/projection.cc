@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/wbc/qp/dense_qp.h"
+
 namespace sidestep::wbc::internal {
 
 namespace {

@@ -7,6 +7,7 @@
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/scenario/key_text.h"
+#include "sim/scenario/renamed_keys.h"
 #include "sim/scenario/scenario_schema.h"
 
 namespace sidestep {
@@ -16,6 +17,13 @@ struct TableArguments {
   std::string prefix;
   bool is_markdown{false};
 };
+
+// The prefix as keys are called today; tells if that is another name.
+std::string PresentName(const std::string& prefix) {
+  const auto source = std::make_shared<ConfigSource>(ConfigSource{"keys " + prefix, false});
+  return RenamedPath(prefix, {source},
+                     [](const std::string& note) { std::fprintf(stderr, "%s\n", note.c_str()); });
+}
 
 }  // namespace
 
@@ -28,8 +36,8 @@ void AddKeysCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--markdown", arguments->is_markdown, "As Markdown");
   command->footer("A robot's own `control:` block may replace the defaults of `control`.");
   command->callback([arguments, &exit_code] {
-    const std::string text =
-        arguments->is_markdown ? KeysMarkdown(arguments->prefix) : KeysText(arguments->prefix);
+    const std::string prefix = PresentName(arguments->prefix);
+    const std::string text = arguments->is_markdown ? KeysMarkdown(prefix) : KeysText(prefix);
     std::fputs(text.c_str(), stdout);
     exit_code = kExitPass;
   });

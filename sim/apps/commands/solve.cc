@@ -56,13 +56,14 @@ mpc::CentroidalOcp OcpOf(Json problem, const std::filesystem::path& file) {
 
 std::vector<std::string> BackendNames() {
   std::vector<std::string> names;
-  for (const MpcBackend backend : kMpcBackends) names.emplace_back(EnumName(backend));
+  for (const MpcBackend backend : EnumValues<MpcBackend>()) names.emplace_back(EnumName(backend));
   return names;
 }
 
 // The back end of a name that BackendNames() has.
 MpcBackend BackendCalled(const std::string& name) {
-  return *std::find_if(kMpcBackends.begin(), kMpcBackends.end(),
+  constexpr auto kBackends = EnumValues<MpcBackend>();
+  return *std::find_if(kBackends.begin(), kBackends.end(),
                        [&](MpcBackend backend) { return EnumName(backend) == name; });
 }
 

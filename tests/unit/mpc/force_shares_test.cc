@@ -99,7 +99,7 @@ TEST_P(ForceSharesOfTest, EqualOnesWrittenOutChangeNoBit) {
   EXPECT_NE(solver->Solve(ocp, nullptr).cost, implied.cost) << "others do";
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, ForceSharesOfTest, testing::ValuesIn(kMpcBackends),
+INSTANTIATE_TEST_SUITE_P(BackEnds, ForceSharesOfTest, testing::ValuesIn(EnumValues<MpcBackend>()),
                          [](const auto& at) { return std::string(EnumName(at.param)); });
 
 void ExpectAgreement(const CentroidalOcp& ocp, int* num_higher) {

@@ -56,7 +56,7 @@ std::string PairName(const testing::TestParamInfo<Case>& info) {
   return name;
 }
 
-const auto kBackEnds = testing::ValuesIn(kMpcBackends);
+const auto kBackEnds = testing::ValuesIn(EnumValues<MpcBackend>());
 
 void ExpectSameMotion(const CentroidalOcp& ocp, const MpcSolution& solution,
                       const MpcSolution& expected) {

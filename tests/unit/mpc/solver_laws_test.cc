@@ -121,7 +121,7 @@ TEST_P(SolverLawsTest, SolvingTwiceGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, SolverLawsTest,
-                         testing::Combine(testing::ValuesIn(kMpcBackends),
+                         testing::Combine(testing::ValuesIn(EnumValues<MpcBackend>()),
                                           testing::Values("icub_yawed_step_up_tilted",
                                                           "icub_fast_velocity_error_previous_force",
                                                           "icub_forward_40N_double_support",
@@ -182,7 +182,7 @@ TEST_P(WarmStartTest, PushedHopperFollowedOverASecondNeverEndsInAWorseMinimumTha
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, WarmStartTest, testing::ValuesIn(kMpcBackends),
+INSTANTIATE_TEST_SUITE_P(BackEnds, WarmStartTest, testing::ValuesIn(EnumValues<MpcBackend>()),
                          [](const auto& at) { return std::string(EnumName(at.param)); });
 
 }  // namespace

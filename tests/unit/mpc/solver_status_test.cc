@@ -168,7 +168,7 @@ TEST_P(SolverStatusTest, BrokenContractsThrow) {
   EXPECT_THROW(MakeSolver(static_cast<MpcBackend>(7), {}), ContractViolation);
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, SolverStatusTest, testing::ValuesIn(kMpcBackends),
+INSTANTIATE_TEST_SUITE_P(BackEnds, SolverStatusTest, testing::ValuesIn(EnumValues<MpcBackend>()),
                          [](const auto& at) { return std::string(EnumName(at.param)); });
 
 TEST(SolveStatusTest, StatusesHaveTheirOwnNames) {

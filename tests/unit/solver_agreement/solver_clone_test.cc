@@ -49,7 +49,7 @@ TEST_P(SolverCloneTest, AfterTwoSolvesTheThirdIsTheClonesToo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Folders, SolverCloneTest,
-                         testing::Combine(testing::ValuesIn(kMpcBackends),
+                         testing::Combine(testing::ValuesIn(EnumValues<MpcBackend>()),
                                           testing::ValuesIn(RecordedFolders())),
                          [](const auto& at) {
                            return std::string(EnumName(std::get<0>(at.param))) + "_" +
@@ -67,7 +67,7 @@ TEST_P(OptionsOfACloneTest, AreTheOriginals) {
   EXPECT_EQ(clone->Solve(ocp, nullptr).status, SolveStatus::kIterationLimit);
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, OptionsOfACloneTest, testing::ValuesIn(kMpcBackends),
+INSTANTIATE_TEST_SUITE_P(BackEnds, OptionsOfACloneTest, testing::ValuesIn(EnumValues<MpcBackend>()),
                          [](const auto& at) { return std::string(EnumName(at.param)); });
 
 }  // namespace
