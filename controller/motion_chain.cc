@@ -8,12 +8,24 @@
 namespace sidestep {
 namespace {
 
-GaitPlanner MakePlanner(const ControllerSetup& setup) {
+// Feet that are felt decide when they stand; those of the centroidal plant are where they are told.
+TouchDownRule TouchDownsOf(const ControllerSetup& setup, const mpc::RobotModel& robot,
+                           StandingRule standing) {
+  const PlannerParams& params = setup.control.planner;
+  TouchDownRule rule;
+  rule.is_felt = standing == StandingRule::kWhenFelt;
+  rule.early_load_N = params.early_load_ratio * robot.mass_kg * robot.gravity_mps2.norm();
+  rule.longest_wait = TickAt(params.late_wait_s, setup.tick_s);
+  rule.period = TickAt(1.0 / setup.control.rate_hz, setup.tick_s);
+  return rule;
+}
+
+GaitPlanner MakePlanner(const ControllerSetup& setup, const TouchDownRule& touch_downs) {
   const GaitGeometry geometry =
       MakeGaitGeometry(setup.robot, setup.control.planner, setup.control.mpc);
   const Tick horizon =
       (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
-  return {{setup.gait, geometry, setup.tick_s}, setup.control.planner, horizon};
+  return {{setup.gait, geometry, setup.tick_s}, setup.control.planner, horizon, touch_downs};
 }
 
 std::vector<FootTarget> StandingFeet(const RobotDescription& robot) {
@@ -32,9 +44,9 @@ MotionChain::MotionChain(const ControllerSetup& setup, const mpc::RobotModel& ro
     : params_(setup.control.mpc),
       tick_s_(setup.tick_s),
       mpc_period_(TickAt(1.0 / params_.rate_hz, tick_s_)),
-      planner_(MakePlanner(setup)),
+      planner_(MakePlanner(setup, TouchDownsOf(setup, robot, rule))),
       mpc_(params_, robot, tick_s_),
-      foot_targets_(setup.robot.feet.size(), setup.gait, rule, tick_s_),
+      foot_targets_(setup.robot.feet.size(), rule, tick_s_),
       feet_(StandingFeet(setup.robot)) {
   references_.p_WC.setZero(3, params_.knots + 1);
   references_.angular_momentum.setZero(3, params_.knots + 1);

@@ -19,8 +19,13 @@ const NominalContact* Find(const std::vector<NominalContact>& contacts, int inde
 
 }  // namespace
 
-GaitPlanner::GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Tick horizon)
-    : setup_(setup), params_(params), horizon_(horizon), support_(StandingSupport(setup)) {
+GaitPlanner::GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Tick horizon,
+                         const TouchDownRule& touch_downs)
+    : setup_(setup),
+      params_(params),
+      horizon_(horizon),
+      touch_downs_(touch_downs),
+      support_(StandingSupport(setup)) {
   decided_.resize(static_cast<std::size_t>(setup.geometry.num_feet));
   plan_.feet.resize(decided_.size());
   LayOutPlan();
@@ -28,6 +33,9 @@ GaitPlanner::GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Ti
 
 const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
   tick_ = tick;
+  has_landed_off_schedule_ = false;
+  const auto moved = AfterTouchDownEvent(setup_, support_, state, tick, touch_downs_);
+  if (moved) support_ = *moved;
   TakeLandings(state);
   NoteFeltFeet(state);
   LayOutPlan();
@@ -54,6 +62,7 @@ void GaitPlanner::Land(GaitSupport* next) {
     NominalContact& landed = next->feet[foot].nominal;
     const int index = landed.contact.index;
     if (index == support_.feet[foot].nominal.contact.index) continue;
+    has_landed_off_schedule_ |= support_.orders.Moves(landed.sequence);
     landed.shift = ShiftOf(support_, landed.sequence);
     landed.contact.adjusted_p_WF = landed.contact.nominal_p_WF + landed.shift;
     if (const Decision* decision = DecisionOn(foot, index)) {

@@ -20,6 +20,7 @@
 #include "controller/planner/contact_schedule.h"
 #include "controller/planner/gait_setup.h"
 #include "controller/planner/gait_support.h"
+#include "controller/planner/touch_down_events.h"
 #include "controller/types/contact_plan.h"
 #include "controller/types/gait_params.h"
 #include "controller/types/robot_state.h"
@@ -29,8 +30,9 @@ namespace sidestep {
 class GaitPlanner {
  public:
   /// Begins standing at tick 0, plan() and all. `horizon` (ticks) is how far contacts are planned
-  /// ahead. Throws ContractViolation without segments.
-  GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Tick horizon);
+  /// ahead, `touch_downs` what makes a landing. Throws ContractViolation without segments.
+  GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Tick horizon,
+              const TouchDownRule& touch_downs = {});
 
   /// Contacts that end after `tick` and begin no later than tick + horizon, for every foot; at
   /// least one a foot. Call with increasing ticks. A contact that has begun is reported where the
@@ -51,6 +53,10 @@ class GaitPlanner {
   void LayOut(const GaitSupport& support, ContactSchedule* schedule) const;
 
   const ContactPlan& plan() const { return plan_; }
+
+  /// Whether a foot has landed at the last Update() that was due earlier or later: plans made
+  /// before do not know it.
+  bool has_landed_off_schedule() const { return has_landed_off_schedule_; }
 
   /// The plan with its landings and CoM knots, as adjusted and shifted as the plan.
   const ContactSchedule& schedule() const { return schedule_; }
@@ -82,7 +88,9 @@ class GaitPlanner {
   GaitSetup setup_;
   PlannerParams params_;
   Tick horizon_;
+  TouchDownRule touch_downs_;
   Tick tick_{0};
+  bool has_landed_off_schedule_{false};
   GaitSupport support_;
   std::array<bool, 2> is_felt_{};               // each foot's contact, at tick_
   std::vector<std::vector<Decision>> decided_;  // of each foot's contacts to come

@@ -35,6 +35,7 @@ struct StepOrder {
 struct TouchDownMove {
   int sequence{0};  ///< Of no effect once it has landed.
   Tick by{0};
+  Tick waited{0};  ///< The part of `by` for which a foot that was due has been waited for.
 };
 
 /// What departs from the segments. Without any, the segments say what comes.
@@ -42,6 +43,13 @@ struct GaitOrders {
   std::array<StepOrder, 2> next;      ///< Made in this order.
   std::optional<GaitParams> instead;  ///< Of all segments, from then on.
   std::array<TouchDownMove, 4> moves;
+
+  bool Moves(int sequence) const {
+    for (const TouchDownMove& move : moves) {
+      if (move.sequence == sequence) return true;
+    }
+    return false;
+  }
 };
 
 /// Where the gait is from `tick` to the next touch-down. A value: copies are independent.

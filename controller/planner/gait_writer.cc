@@ -95,6 +95,13 @@ Tick GaitWriter::Moved(Tick in_the_air, Tick least) const {
   return in_the_air;
 }
 
+Tick GaitWriter::WaitedForNextLanding() const {
+  for (const TouchDownMove& move : support_.orders.moves) {
+    if (move.sequence == support_.sequence + 1) return move.waited;
+  }
+  return 0;
+}
+
 std::optional<Tick> GaitWriter::NextSegmentStart() const {
   if (support_.orders.instead) return std::nullopt;
   for (const GaitParams& segment : setup_.segments) {
@@ -114,9 +121,11 @@ void GaitWriter::Land(int foot, Tick tick, const GaitParams& gait) {
   next = {};
   next.contact.index = index;
   next.contact.start_tick = next.contact.end_tick = tick;
+  next.contact.due_tick = tick - WaitedForNextLanding();
   next.contact.end_is_known = false;
   next.contact.nominal_p_WF = {support_.path_x_m, y_m, geometry.sole_height_m};
   next.contact.adjusted_p_WF = next.contact.nominal_p_WF;
+  next.contact.swing = {gait.swing_height_m, gait.landing_speed_mps};
   next.contact.box_lower_m = geometry.box_lower_m;
   next.contact.box_upper_m = geometry.box_upper_m;
   if (foot == 1) {

@@ -116,6 +116,7 @@ bool AddMove(const TouchDownMove& move, GaitSupport* support) {
   for (TouchDownMove& other : support->orders.moves) {
     if (other.sequence == move.sequence) {
       other.by += move.by;
+      other.waited += move.waited;
       return true;
     }
     if (other.sequence <= support->sequence) free = &other;

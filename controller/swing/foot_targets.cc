@@ -1,58 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/swing/foot_targets.h"
 
-#include <utility>
-
 #include "models/support/require.h"
 
 namespace sidestep {
 
-FootTargets::FootTargets(std::size_t num_feet, std::vector<GaitParams> gait, StandingRule rule,
-                         double tick_s)
-    : gait_(std::move(gait)),
-      rule_(rule),
-      tick_s_(tick_s),
-      swing_(num_feet, SwingFoot(SwingShape{}, tick_s)) {
-  SIDESTEP_REQUIRE(!gait_.empty(), gait_.size());
-}
+FootTargets::FootTargets(std::size_t num_feet, StandingRule rule, double tick_s)
+    : rule_(rule),
+      longest_dip_(TickAt(kLongestDip_s, tick_s)),
+      feet_(num_feet, Foot{SwingFoot(tick_s)}) {}
 
 void FootTargets::Update(const RobotState& state, const ContactPlan& plan, Tick tick,
                          std::vector<FootTarget>* feet) {
-  SIDESTEP_REQUIRE(feet->size() == swing_.size(), feet->size());
-  for (std::size_t i = 0; i < swing_.size(); ++i) {
+  SIDESTEP_REQUIRE(feet->size() == feet_.size(), feet->size());
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootTarget& target = (*feet)[i];
     const bool stood = target.planned_contact;
     target.contact = plan.feet[i].front();
     target.planned_contact = target.contact.start_tick <= tick;
     if (stood && !target.planned_contact) {
-      swing_[i].set_shape(ShapeAt(tick));
-      swing_[i].LiftOff(state.feet[i].p_WF, tick);
+      feet_[i].has_landed = false;
+      feet_[i].swing.LiftOff(target.contact.swing, state.feet[i].p_WF, tick);
     }
-    UpdateFoot(state.feet[i], tick, &swing_[i], &target);
+    UpdateFoot(state.feet[i], tick, &feet_[i], &target);
   }
 }
 
-void FootTargets::UpdateFoot(const FootState& state, Tick tick, SwingFoot* swing,
+void FootTargets::UpdateFoot(const FootState& state, Tick tick, Foot* foot,
                              FootTarget* target) const {
   const bool is_down = rule_ == StandingRule::kAsScheduled || state.in_contact;
   if (target->planned_contact && is_down) {
+    foot->has_landed = true;
+    foot->felt_tick = tick;
+  }
+  target->supports = foot->has_landed && tick <= foot->felt_tick + longest_dip_;
+  if (target->supports) {
     target->p_WF = target->contact.adjusted_p_WF;
     target->v_WF.setZero();
     target->a_WF.setZero();
     return;
   }
-  swing->Update(target->contact.adjusted_p_WF, target->contact.start_tick, tick);
-  target->p_WF = swing->position();
-  target->v_WF = swing->velocity();
-  target->a_WF = swing->acceleration();
-}
-
-SwingShape FootTargets::ShapeAt(Tick tick) const {
-  const GaitParams* gait = &gait_.front();
-  for (const GaitParams& segment : gait_) {
-    if (TickAt(segment.start_s, tick_s_) <= tick) gait = &segment;
+  if (foot->has_landed) {
+    foot->swing.GoDown(target->contact.adjusted_p_WF, foot->felt_tick + longest_dip_, tick);
+  } else {
+    foot->swing.Update(target->contact.adjusted_p_WF, target->contact.due_tick, tick);
   }
-  return {gait->swing_height_m, gait->landing_speed_mps};
+  target->p_WF = foot->swing.position();
+  target->v_WF = foot->swing.velocity();
+  target->a_WF = foot->swing.acceleration();
 }
 
 }  // namespace sidestep

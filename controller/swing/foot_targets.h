@@ -10,7 +10,6 @@
 #include "controller/swing/swing_foot.h"
 #include "controller/types/contact_plan.h"
 #include "controller/types/control_tick.h"
-#include "controller/types/gait_params.h"
 #include "controller/types/robot_state.h"
 #include "controller/types/tick.h"
 
@@ -18,14 +17,16 @@ namespace sidestep {
 
 /// When a foot that the schedule has on the ground counts as standing there.
 enum class StandingRule {
-  kWhenFelt,     ///< Once its contact is felt; until then it goes on downwards.
+  kWhenFelt,     ///< While its contact is felt, dips apart; before and after it goes downwards.
   kAsScheduled,  ///< At once: the centroidal plant's feet are where the command puts them.
 };
 
 class FootTargets {
  public:
-  /// @param gait  By start_s, the first at 0: a swing has the shape of the gait it begins in.
-  FootTargets(std::size_t num_feet, std::vector<GaitParams> gait, StandingRule rule, double tick_s);
+  /// A foot that is not felt for no longer than this still stands: on landing it may bounce.
+  static constexpr double kLongestDip_s = 0.05;
+
+  FootTargets(std::size_t num_feet, StandingRule rule, double tick_s);
 
   /// Writes contact, planned_contact and motion of every foot; forces stay as they are. Every foot
   /// stands before the first call. Call every control tick with ascending ticks.
@@ -35,13 +36,17 @@ class FootTargets {
               std::vector<FootTarget>* feet);
 
  private:
-  SwingShape ShapeAt(Tick tick) const;
-  void UpdateFoot(const FootState& state, Tick tick, SwingFoot* swing, FootTarget* target) const;
+  struct Foot {
+    SwingFoot swing;
+    bool has_landed{true};  // in its contact
+    Tick felt_tick{0};      // where it was last felt in it
+  };
 
-  std::vector<GaitParams> gait_;
+  void UpdateFoot(const FootState& state, Tick tick, Foot* foot, FootTarget* target) const;
+
   StandingRule rule_;
-  double tick_s_;
-  std::vector<SwingFoot> swing_;
+  Tick longest_dip_;
+  std::vector<Foot> feet_;
 };
 
 }  // namespace sidestep

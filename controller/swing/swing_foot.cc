@@ -6,6 +6,8 @@
 namespace sidestep {
 namespace {
 
+constexpr double kFreeze_s = 0.03;  // the foothold no longer moves this long before landing
+
 // Value after `elapsed_s` on the way from `from` to `to` in `remaining_s`.
 QuinticState Follow(const QuinticState& from, const QuinticState& to, double remaining_s,
                     double elapsed_s) {
@@ -15,9 +17,8 @@ QuinticState Follow(const QuinticState& from, const QuinticState& to, double rem
 
 }  // namespace
 
-SwingFoot::SwingFoot(const SwingShape& shape, double tick_s) : shape_(shape), tick_s_(tick_s) {}
-
-void SwingFoot::LiftOff(const Eigen::Vector3d& p_WF, Tick tick) {
+void SwingFoot::LiftOff(const SwingShape& shape, const Eigen::Vector3d& p_WF, Tick tick) {
+  shape_ = shape;
   lift_off_tick_ = tick_ = tick;
   lift_off_height_m_ = p_WF.z();
   target_p_WF_ = p_WF;
@@ -29,7 +30,7 @@ void SwingFoot::LiftOff(const Eigen::Vector3d& p_WF, Tick tick) {
 void SwingFoot::Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Tick tick) {
   const double remaining_s = SecondsAt(landing_tick - tick_, tick_s_);
   const double elapsed_s = SecondsAt(tick - tick_, tick_s_);
-  if (remaining_s > shape_.freeze_s || lift_off_tick_ == tick_) target_p_WF_ = p_WF_target;
+  if (remaining_s > kFreeze_s || lift_off_tick_ == tick_) target_p_WF_ = p_WF_target;
   x_ = Follow(x_, {target_p_WF_.x(), 0.0, 0.0}, remaining_s, elapsed_s);
   y_ = Follow(y_, {target_p_WF_.y(), 0.0, 0.0}, remaining_s, elapsed_s);
   UpdateHeight(landing_tick, tick);
@@ -38,8 +39,7 @@ void SwingFoot::Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Ti
 
 void SwingFoot::UpdateHeight(Tick landing_tick, Tick tick) {
   if (tick >= landing_tick) {
-    const double late_s = SecondsAt(tick - landing_tick, tick_s_);
-    z_ = {target_p_WF_.z() - shape_.landing_speed_mps * late_s, -shape_.landing_speed_mps, 0.0};
+    z_ = HeightBelow(target_p_WF_.z(), tick - landing_tick);
     return;
   }
   const Tick apex_tick = lift_off_tick_ + (landing_tick - lift_off_tick_) / 2;
@@ -51,6 +51,20 @@ void SwingFoot::UpdateHeight(Tick landing_tick, Tick tick) {
     z_ = Follow(z_, {target_p_WF_.z(), -shape_.landing_speed_mps, 0.0},
                 SecondsAt(landing_tick - tick_, tick_s_), elapsed_s);
   }
+}
+
+void SwingFoot::GoDown(const Eigen::Vector3d& p_WF, Tick lost_tick, Tick tick) {
+  x_ = {p_WF.x(), 0.0, 0.0};
+  y_ = {p_WF.y(), 0.0, 0.0};
+  z_ = HeightBelow(p_WF.z(), tick - lost_tick);
+  tick_ = tick;
+}
+
+// Looking for the floor since `late` ticks.
+QuinticState SwingFoot::HeightBelow(double height_m, Tick late) const {
+  const double late_s = SecondsAt(late, tick_s_);
+  const double speed_mps = late_s < kSearch_s ? shape_.landing_speed_mps : 0.0;
+  return {height_m - shape_.landing_speed_mps * std::min(late_s, kSearch_s), -speed_mps, 0.0};
 }
 
 Eigen::Vector3d SwingFoot::position() const { return {x_.position, y_.position, z_.position}; }

@@ -9,39 +9,38 @@
 
 #include <Eigen/Core>
 
-#include "controller/types/control_tick.h"
+#include "controller/types/contact_plan.h"
 #include "controller/types/quintic.h"
 #include "controller/types/tick.h"
 
 namespace sidestep {
 
-/// Shape of a swing.
-struct SwingShape {
-  double height_m{0.05};  ///< Apex above the higher of the two footholds.
-  double landing_speed_mps{0.3};
-  double freeze_s{0.03};  ///< The foothold no longer moves this long before landing.
-};
-
 class SwingFoot {
  public:
-  SwingFoot(const SwingShape& shape, double tick_s);
+  /// For so long after its time a foot goes on looking for the floor.
+  static constexpr double kSearch_s = 0.2;
 
-  /// Begins a swing at `tick` from where the foot is, at rest on the ground.
-  void LiftOff(const Eigen::Vector3d& p_WF, Tick tick);
+  explicit SwingFoot(double tick_s) : tick_s_(tick_s) {}
+
+  /// Begins a swing of that shape at `tick` from where the foot is, at rest on the ground.
+  void LiftOff(const SwingShape& shape, const Eigen::Vector3d& p_WF, Tick tick);
 
   /// Reference at `tick`, on the way to `p_WF_target` at landing_tick. Call every control tick.
-  /// After landing_tick the foot goes on down at the landing speed until the contact is felt.
+  /// After landing_tick the foot goes on down at the landing speed, for kSearch_s at most.
   void Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Tick tick);
 
-  /// Shape of the swings to come.
-  void set_shape(const SwingShape& shape) { shape_ = shape; }
-  /// The reference of the last Update(), in W (m, m/s, m/s^2).
+  /// Reference at `tick` of a foot that stood at `p_WF` until its contact was lost at `lost_tick`:
+  /// it goes down as a late one does.
+  void GoDown(const Eigen::Vector3d& p_WF, Tick lost_tick, Tick tick);
+
+  /// The reference of the last call, in W (m, m/s, m/s^2).
   Eigen::Vector3d position() const;
   Eigen::Vector3d velocity() const;
   Eigen::Vector3d acceleration() const;
 
  private:
   void UpdateHeight(Tick landing_tick, Tick tick);
+  QuinticState HeightBelow(double height_m, Tick late) const;
 
   SwingShape shape_;
   double tick_s_;

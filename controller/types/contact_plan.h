@@ -9,11 +9,20 @@
 
 namespace sidestep {
 
+/// Shape of the swing that leads to a contact.
+struct SwingShape {
+  double height_m{0.05};          ///< Apex above the higher of the two footholds.
+  double landing_speed_mps{0.3};  ///< Downwards, at touch-down and until contact is felt.
+};
+
 /// One stay of a foot on the ground, in absolute ticks: start <= tick < end.
 struct PlannedContact {
   int index{0};             ///< Counts this foot's contacts from 0 over the whole episode.
   bool end_is_known{true};  ///< False: nothing ends it as far as the plan goes.
   Tick start_tick{0};
+  /// When the foot was to land, no later than start_tick: the schedule waits for one that is not
+  /// felt.
+  Tick due_tick{0};
   /// If its end is not known: a tick beyond the plan. Not an std::optional, for `tick < end_tick`
   /// would compile with that, and be false.
   Tick end_tick{0};
@@ -22,6 +31,7 @@ struct PlannedContact {
   Eigen::Vector3d adjusted_p_WF{Eigen::Vector3d::Zero()};  ///< What the MPC decided last.
   Eigen::Vector3d box_lower_m{Eigen::Vector3d::Zero()};    ///< Adjustment's bounds, in F.
   Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
+  SwingShape swing;  ///< Of the gait whose step lands here.
 };
 
 /// Where the MPC decided that a contact shall be.

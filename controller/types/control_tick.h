@@ -19,6 +19,7 @@ namespace sidestep {
 /// velocity and acceleration.
 struct FootTarget {
   bool planned_contact{false};  ///< The schedule has the foot on the ground now.
+  bool supports{false};         ///< It does, and the foot has landed: forces may be asked of it.
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};
   Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};     ///< m/s, feed-forward.
   Eigen::Vector3d a_WF{Eigen::Vector3d::Zero()};     ///< m/s^2, feed-forward.

@@ -88,6 +88,8 @@ struct PlannerParams {
   double path_return_m{0.05};    ///< Counts under kCapturePoint alone; 0: never back.
   double min_step_width_m{0.0};  ///< 0: feet may come in line, but not cross.
   double com_sway{0.0};          ///< Walk alone; 1: over the standing foot.
+  double early_load_ratio{0.2};  ///< Of the weight; from the middle of the swing on.
+  double late_wait_s{0.1};       ///< 0: the clock goes on without the foot.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -101,6 +103,11 @@ struct PlannerParams {
     visit("com_sway", self.com_sway, Range{0.0, 1.0},
           "where the CoM reference is in the middle of a swing: this share of the way from the "
           "path to the standing foot (0, as in the paper: on the path)");
+    visit("early_load_ratio", self.early_load_ratio, Range{0.0, 1e3},
+          "a swinging foot that bears more than this share of the weight has landed, and the "
+          "schedule moves with it");
+    visit("late_wait_s", self.late_wait_s, Range{0.0, 1.0},
+          "longest time that the schedule waits for a foot that is due and not felt");
   }
 };
 

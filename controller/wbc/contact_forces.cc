@@ -34,7 +34,7 @@ void ContactForces::Update(const RobotState& state, const RigidBody& body,
                            const std::vector<FootTarget>& feet) {
   size_ = 0;
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    if (!feet[i].planned_contact || !state.feet[i].in_contact) continue;
+    if (!feet[i].supports) continue;
     const FrameJacobian& foot = body.foot_jacobian(i);
     for (Eigen::Index v = 0; v < vertices_m_[i].cols(); ++v) {
       const Eigen::Vector3d p_FV_W = body.feet()[i].R_WF * vertices_m_[i].col(v);

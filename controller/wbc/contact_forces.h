@@ -29,7 +29,7 @@ class ContactForces {
   /// Of a robot of `num_velocities` velocities; `friction` is the pyramids' coefficient.
   ContactForces(const RobotDescription& robot, int num_velocities, double friction);
 
-  /// Takes the feet that both plan and sensor have on the ground. Does not allocate.
+  /// Takes the feet that support. Does not allocate.
   void Update(const RobotState& state, const RigidBody& body, const std::vector<FootTarget>& feet);
 
   Eigen::Index size() const { return size_; }  ///< Variables: 3 a vertex in contact.

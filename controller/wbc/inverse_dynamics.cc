@@ -62,7 +62,7 @@ void InverseDynamics::Build(const RobotState& state, const RigidBody& body, cons
   }
   AddAttitude(state);
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    AddFoot(i, feet[i].planned_contact && state.feet[i].in_contact, body, feet[i]);
+    AddFoot(i, feet[i].supports, body, feet[i]);
   }
   for (Eigen::Index i = 0; i < nv; ++i) qp_.AddDiagonal(i, 0.0, params_.posture_weight);
   forces_.AddPlanTo(params_.force_weight, &qp_);

@@ -38,7 +38,7 @@ class BackEnds {
  public:
   /// Solves with both; returns Ipopt's answer.
   MpcSolution Solve(const CentroidalOcp& ocp, const MpcSolution* guess, Row* row) {
-    const MpcSolution theirs = TimedSolve(*ipopt_, ocp, guess, 1, &row->ipopt);
+    MpcSolution theirs = TimedSolve(*ipopt_, ocp, guess, 1, &row->ipopt);
     const MpcSolution ours = TimedSolve(*structured_, ocp, guess, kRepeats, &row->structured);
     if (!IsUsable(theirs.status) || !IsUsable(ours.status)) return theirs;
     const Difference difference = Compare(ocp, theirs, ours);

@@ -15,29 +15,22 @@ constexpr double kTick_s = 0.001;
 constexpr Tick kLiftOff = 100;
 constexpr Tick kLanding = 500;
 
-GaitParams Gait(double start_s, double swing_height_m, double landing_speed_mps) {
-  GaitParams gait;
-  gait.start_s = start_s;
-  gait.swing_height_m = swing_height_m;
-  gait.landing_speed_mps = landing_speed_mps;
-  return gait;
-}
-
-const std::vector<GaitParams> kGaits{Gait(0.0, 0.05, 0.1), Gait(0.3, 0.09, 0.2)};
+const SwingShape kSwing{0.05, 0.1};
 
 PlannedContact Contact(int index, Tick start, Tick end, const Eigen::Vector3d& p_WF) {
   PlannedContact contact;
   contact.index = index;
-  contact.start_tick = start;
+  contact.start_tick = contact.due_tick = start;
   contact.end_tick = end;
   contact.adjusted_p_WF = p_WF;
+  contact.swing = kSwing;
   return contact;
 }
 
 // One foot that stands at (0, 0), flies from tick 100 to 500 and stands at (0.2, 0) from then on.
 class OneStep {
  public:
-  explicit OneStep(StandingRule rule) : targets_(1, kGaits, rule, kTick_s), feet_(1) {
+  explicit OneStep(StandingRule rule) : targets_(1, rule, kTick_s), feet_(1) {
     feet_[0].planned_contact = true;
     feet_[0].vertex_force_N.setConstant(3, 1, 7.0);
     state_.feet.resize(1);
@@ -88,9 +81,25 @@ TEST(FootTargetsTest, ASwingBeginsWhereTheFootIsBelievedNotWhereItWasPlanned) {
   EXPECT_LT((foot.p_WF - Eigen::Vector3d(0.01, 0.02, 0.0)).norm(), 1e-12);
 }
 
-TEST(FootTargetsTest, ASwingHasTheShapeOfTheGaitItBeginsInToItsEnd) {
-  // The higher gait begins at 0.3 s, the apex of the swing: it is the next swing's.
-  EXPECT_NEAR(OneStep(StandingRule::kWhenFelt).FlyUntil(kLanding), 0.05, 1e-9);
+TEST(FootTargetsTest, ASwingHasTheShapeOfTheContactItLeadsTo) {
+  EXPECT_NEAR(OneStep(StandingRule::kWhenFelt).FlyUntil(kLanding), kSwing.height_m, 1e-9);
+}
+
+TEST(FootTargetsTest, AStandingFootThatIsNoLongerFeltGoesDownFromThenOn) {
+  OneStep step(StandingRule::kWhenFelt);
+  step.FlyUntil(kLanding);
+  step.At(kLanding, true);
+  step.At(kLanding + 3000, true);
+  constexpr Tick kLost = kLanding + 3000 + 50;  // the longest dip later
+  EXPECT_TRUE(step.At(kLost, false).supports);
+  EXPECT_EQ(step.At(kLost, false).v_WF.norm(), 0.0);
+  const FootTarget foot = step.At(kLost + 10, false);
+  EXPECT_FALSE(foot.supports);
+  EXPECT_LT((foot.p_WF - Eigen::Vector3d(0.2, 0.0, -0.01 * kSwing.landing_speed_mps)).norm(), 1e-9);
+  EXPECT_NEAR(foot.v_WF.z(), -kSwing.landing_speed_mps, 1e-9);
+  const FootTarget again = step.At(kLost + 20, true);
+  EXPECT_TRUE(again.supports);
+  EXPECT_EQ(again.p_WF, Eigen::Vector3d(0.2, 0.0, 0.0));
 }
 
 TEST(FootTargetsTest, AFootThatIsDueButNotFeltGoesOnDown) {
@@ -126,7 +135,7 @@ TEST(FootTargetsTest, ForcesAreSomebodyElses) {
 }
 
 TEST(FootTargetsTest, FeetOfAnotherNumberAreABrokenContract) {
-  FootTargets targets(2, kGaits, StandingRule::kWhenFelt, kTick_s);
+  FootTargets targets(2, StandingRule::kWhenFelt, kTick_s);
   std::vector<FootTarget> one(1);
   EXPECT_THROW(targets.Update({}, {}, 0, &one), ContractViolation);
 }

@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-9;  // 400 quintics in a row, each from the last
 
 const Eigen::Vector3d kStart(0.1, 0.05, 0.02);
 const Eigen::Vector3d kTarget(0.3, 0.0, 0.02);
-const SwingShape kShape{0.06, 0.3, 0.03};
+const SwingShape kShape{0.06, 0.3};
 
 struct Sample {
   Eigen::Vector3d p, v, a;
@@ -25,8 +25,8 @@ struct Sample {
 /// Samples from lift-off to `end`, one a tick; `target` may depend on the tick.
 std::vector<Sample> Fly(const std::function<Eigen::Vector3d(Tick)>& target, Tick end,
                         Tick period = 1) {
-  SwingFoot swing(kShape, kTick_s);
-  swing.LiftOff(kStart, kLiftOff);
+  SwingFoot swing(kTick_s);
+  swing.LiftOff(kShape, kStart, kLiftOff);
   std::vector<Sample> samples;
   for (Tick tick = kLiftOff; tick <= end; tick += period) {
     swing.Update(target(tick), kLanding, tick);
@@ -125,10 +125,10 @@ TEST(SwingFootTest, LateFootGoesOnDownAtTheLandingSpeedOnItsPlace) {
 }
 
 TEST(SwingFootTest, NewSwingForgetsTheLastOne) {
-  SwingFoot swing(kShape, kTick_s);
-  swing.LiftOff(kStart, 0);
+  SwingFoot swing(kTick_s);
+  swing.LiftOff(kShape, kStart, 0);
   for (Tick tick = 0; tick <= 250; ++tick) swing.Update(kTarget, 200, tick);
-  swing.LiftOff(kTarget, 300);
+  swing.LiftOff(kShape, kTarget, 300);
   swing.Update(kStart, 500, 300);
   EXPECT_LT((swing.position() - kTarget).norm(), kRounding);
   EXPECT_LT(swing.velocity().norm(), kRounding);
@@ -136,10 +136,16 @@ TEST(SwingFootTest, NewSwingForgetsTheLastOne) {
   EXPECT_LT((swing.position() - kStart).norm(), kRounding);
 }
 
-TEST(SwingFootTest, HeightMayBeSetForTheNextSwing) {
-  SwingFoot swing(kShape, kTick_s);
-  swing.set_shape({.height_m = 0.15});
-  swing.LiftOff(kStart, 0);
+TEST(SwingFootTest, LateFootLooksForTheFloorForABoundedTime) {
+  const std::vector<Sample> samples = FlyTo(kTarget, kLanding + 500);
+  const double down_m = SwingFoot::kSearch_s * kShape.landing_speed_mps;
+  EXPECT_NEAR(samples.back().p.z(), kTarget.z() - down_m, kRounding);
+  EXPECT_EQ(samples.back().v.z(), 0.0);
+}
+
+TEST(SwingFootTest, EachSwingHasItsShape) {
+  SwingFoot swing(kTick_s);
+  swing.LiftOff({.height_m = 0.15}, kStart, 0);
   for (Tick tick = 0; tick <= 100; ++tick) swing.Update(kTarget, 200, tick);
   EXPECT_NEAR(swing.position().z(), kStart.z() + 0.15, kRounding);
 }
