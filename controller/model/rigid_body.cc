@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "models/mjcf/quaternion.h"
 #include "models/robot_description/home_pose.h"
 #include "models/support/require.h"
 
@@ -20,12 +19,25 @@ constexpr double kDistalOnProximal = -1.0;
 // World around the robot for the controller: nothing but gravity.
 constexpr char kBareWorld[] = "<mujoco model=\"nominal\"><include file=\"robot.xml\"/></mujoco>";
 
+BaseMotion BaseOf(const RobotState& state) {
+  return {state.p_WB, state.q_WB, state.v_WB, state.w_WB_B};
+}
+
+void SetBase(const BaseMotion& base, RobotState* state) {
+  state->p_WB = base.p_WB;
+  state->q_WB = base.q_WB;
+  state->v_WB = base.v_WB;
+  state->w_WB_B = base.w_WB_B;
+}
+
 }  // namespace
 
 RigidBody::RigidBody(const RobotDescription& robot)
     : state_(CompileMjcf(kBareWorld, RequireModel(robot).simulated_mjcf, robot.model->file)),
       mass_kg_(mj_getTotalmass(&state_.model())),
-      gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(state_.model().opt.gravity)) {
+      gravity_mps2_(Eigen::Map<const Eigen::Vector3d>(state_.model().opt.gravity)),
+      base_body_(RequireId(state_.model(), mjOBJ_BODY, robot.base)),
+      base_(state_.model(), base_body_, robot.model->file.string()) {
   ResolveNames(robot);
   TakeMemory();
   PlaceAtHome(state_.model(), robot, state_.get());
@@ -37,9 +49,7 @@ RigidBody::RigidBody(const RobotDescription& robot)
 
 void RigidBody::ResolveNames(const RobotDescription& robot) {
   const mjModel& model = state_.model();
-  base_body_ = RequireId(model, mjOBJ_BODY, robot.base);
-  const int root = model.body_jntadr[base_body_];
-  SIDESTEP_REQUIRE(root == 0 && model.jnt_type[0] == mjJNT_FREE, robot.base);
+  SIDESTEP_REQUIRE(model.body_jntadr[base_body_] == 0, robot.base);  // nu begins with the base
   for (const FootDescription& foot : robot.feet) {
     foot_site_.push_back(RequireId(model, mjOBJ_SITE, foot.frame));
   }
@@ -103,10 +113,7 @@ void RigidBody::TakeMemory() {
 
 void RigidBody::SetState(const RobotState& state) {
   mjData* data = state_.get();
-  Eigen::Map<Eigen::Vector3d>(data->qpos) = state.p_WB;
-  ToMuJoCo(state.q_WB, data->qpos + 3);
-  Eigen::Map<Eigen::Vector3d>(data->qvel) = state.v_WB;
-  Eigen::Map<Eigen::Vector3d>(data->qvel + 3) = state.w_WB_B;
+  base_.Write(BaseOf(state), data);
   SetJoints(state);
   velocity_ = Eigen::Map<const Eigen::VectorXd>(data->qvel, num_velocities());
 }
@@ -127,6 +134,7 @@ void RigidBody::Update(const RobotState& state) {
   mj_comPos(model, data);
   mj_comVel(model, data);
   centroidal_ = CentroidalMotionOf(*model, *data, base_body_);
+  base_.Project(&centroidal_);
   mjtNum twist[6];  // [angular; linear]
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootKinematics& foot = feet_[i];
@@ -153,9 +161,12 @@ void RigidBody::Update(const RobotState& state) {
 
 void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
   RequireState();
-  Eigen::Map<Eigen::Vector3d>(state_->qpos) += p;
-  Eigen::Map<Eigen::Vector3d>(state_->qvel) += v;
-  velocity_.head<3>() += v;
+  SIDESTEP_REQUIRE(!base_.is_sagittal() || (p.y() == 0.0 && v.y() == 0.0), "out of the plane");
+  BaseMotion base = base_.Read(*state_.get());
+  base.p_WB += p;
+  base.v_WB += v;
+  base_.Write(base, state_.get());
+  velocity_ = Eigen::Map<const Eigen::VectorXd>(state_->qvel, num_velocities());
   centroidal_.p_WC += p;
   centroidal_.v_WC += v;
   for (FootKinematics& foot : feet_) {
@@ -169,8 +180,7 @@ void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
 ImuInBase RigidBody::LocateImu(const RobotState& state) {
   mjData* data = state_.get();
   has_state_ = false;
-  mju_zero3(data->qpos);
-  mju_unit4(data->qpos + 3);
+  base_.Write(BaseMotion{}, data);
   SetJoints(state);
   mj_kinematics(&state_.model(), data);
   ImuInBase imu{ConstMatrix3Map(data->site_xmat + 9 * imu_site_), Eigen::Vector3d::Zero()};
@@ -200,15 +210,20 @@ const std::vector<ForceTorqueKinematics>& RigidBody::PredictForceTorque(
 }
 
 void RigidBody::WriteHome(RobotState* state) const {
-  state->p_WB = home_position_.head<3>();
-  state->q_WB = FromMuJoCo(home_position_.data() + 3);
-  state->v_WB.setZero();
-  state->w_WB_B.setZero();
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(num_velocities());
+  SetBase(base_.Read(home_position_.data(), at_rest.data()), state);
   state->joint_position.setZero(num_actuators());
   state->joint_velocity.setZero(num_actuators());
   for (std::size_t i = 0; i < actuated_position_.size(); ++i) {
     state->joint_position[static_cast<Eigen::Index>(i)] = home_position_[actuated_position_[i]];
   }
+}
+
+void RigidBody::Project(RobotState* state) const {
+  BaseMotion base = BaseOf(*state);
+  base_.Project(&base);
+  SetBase(base, state);
+  base_.ProjectWrench(&state->external_wrench.force_N, &state->external_wrench.torque_Nm);
 }
 
 void RigidBody::FillDerived(RobotState* state) const {

@@ -4,8 +4,10 @@
 //
 // In : base pose and velocity, joints.     Out: M, bias, CoM, momentum, feet and their Jacobians.
 // The only place of controller/ where MuJoCo appears. Velocities nu are MuJoCo's:
-//   nu = [v_WB (base origin, in W); w_WB_B (in B); joints in the order of the model].
-// Equation of motion: M nudot + h = S^T tau + sum J_F^T f_F, h holding gravity and damping.
+//   nu = [v_WB (base origin, in W); w_WB_B (in B); joints in the order of the model],
+// of a base that moves in a plane nu = [v_WB.x, v_WB.z, w_WB_B.y; joints]: see base_joints.h.
+// States stay three-dimensional; what such a base can't do is not read. Equation of motion: M nudot
+// + h = S^T tau + sum J_F^T f_F, h holding gravity and damping.
 //
 // There is no order of calls to keep: Update() poses the robot, and whatever is read afterwards
 // belongs to that state, evaluated when it is first read and kept until the next Update().
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "controller/types/robot_state.h"
+#include "models/mjcf/base_joints.h"
 #include "models/mjcf/centroidal_motion.h"
 #include "models/mjcf/mj_state.h"
 #include "models/robot_description/robot_description.h"
@@ -103,12 +106,17 @@ class RigidBody {
   /// Base position and attitude and joints at the start of a run; the rest of `state` is zero.
   void WriteHome(RobotState* state) const;
 
+  /// Leaves of `state`'s base, and of the external wrench, what this base can do: nothing changes
+  /// where it is free.
+  void Project(RobotState* state) const;
+
   /// Writes p_WC, v_WC, angular_momentum and the feet's pose and velocity into `state`, which must
   /// be the state given to Update(). Leaves in_contact alone.
   void FillDerived(RobotState* state) const;
 
   /// Sizes of the model, fixed from construction on.
   int num_velocities() const { return state_.model().nv; }
+  int num_base_velocities() const { return base_.num_velocities(); }
   int num_actuators() const { return state_.model().nu; }
   std::size_t num_feet() const { return foot_site_.size(); }
   bool has_torso() const { return torso_site_ >= 0; }
@@ -124,8 +132,12 @@ class RigidBody {
   const Eigen::MatrixXd& mass_matrix() const;  ///< M, nv x nv.
   const Eigen::VectorXd& bias() const;         ///< h, nv.
 
-  /// Locked inertia about the base's origin, in B: the base block of M (kg m^2).
-  Eigen::Matrix3d base_inertia() const { return mass_matrix().block<3, 3>(3, 3); }
+  /// How the base floats: which component of a twist or a wrench each base row is.
+  const BaseJoints& base() const { return base_; }
+
+  /// Locked inertia about the base's origin, in B: the base block of M (kg m^2), zero about axes
+  /// that the base can't turn about.
+  Eigen::Matrix3d base_inertia() const;
 
   const Jacobian3& com_jacobian() const;         ///< 3 x nv: v_WC = J nu.
   const Eigen::Vector3d& com_bias_mps2() const;  ///< Jdot nu.
@@ -188,6 +200,7 @@ class RigidBody {
   double mass_kg_{0.0};
   Eigen::Vector3d gravity_mps2_;
   int base_body_{0};
+  BaseJoints base_;
   std::vector<int> foot_site_;
   std::vector<int> actuated_position_;  // index in qpos
   std::vector<int> actuated_velocity_;

@@ -51,7 +51,19 @@ void RigidBody::EvaluateMassMatrix() const {
   mj_crb(&state_.model(), state_.get());
   mj_fullM(&state_.model(), evaluated_.mass_matrix.data(), state_->qM);
   // The base's linear rows are Newton's law of the whole robot: m a_C - m g = sum of forces.
-  evaluated_.com_jacobian = evaluated_.mass_matrix.topRows<3>() / mass_kg_;
+  Eigen::Index row = 0;
+  for (const int axis : base_.linear_axes()) {
+    evaluated_.com_jacobian.row(axis) = evaluated_.mass_matrix.row(row++) / mass_kg_;
+  }
+}
+
+Eigen::Matrix3d RigidBody::base_inertia() const {
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  Eigen::Index row = base_.num_linear();
+  for (const int axis : base_.angular_axes()) {
+    inertia.row(axis) = base_.Spread(mass_matrix().row(row++)).tail<3>().transpose();
+  }
+  return inertia;
 }
 
 const Eigen::VectorXd& RigidBody::bias() const {
@@ -74,7 +86,8 @@ void RigidBody::EvaluateBias() const {
   mj_rne(model, data, 0, data->qfrc_bias);
   evaluated_.bias = Eigen::Map<const Eigen::VectorXd>(data->qfrc_bias, model->nv) -
                     Eigen::Map<const Eigen::VectorXd>(data->qfrc_passive, model->nv);
-  evaluated_.com_bias_mps2 = evaluated_.bias.head<3>() / mass_kg_ + gravity_mps2_;
+  const Vector6 base_bias = base_.Spread(evaluated_.bias);
+  evaluated_.com_bias_mps2 = base_bias.head<3>() / mass_kg_ + gravity_mps2_;
 }
 
 const FrameJacobian& RigidBody::foot_jacobian(std::size_t foot) const {
@@ -155,16 +168,14 @@ void RigidBody::EvaluateAngularMomentum() const {
                                                                             9 * base_body_);
   const Eigen::Vector3d p_BC_W =
       Vector3At(data->subtree_com + 3 * base_body_) - Vector3At(data->xpos + 3 * base_body_);
-  const auto about_com = [&](const auto& force, const auto& moment_B) -> Eigen::Vector3d {
-    return R_WB * moment_B - p_BC_W.cross(force);
+  const auto about_com = [&](const Vector6& rows) -> Eigen::Vector3d {
+    return R_WB * rows.tail<3>() - p_BC_W.cross(rows.head<3>());
   };
   for (Eigen::Index i = 0; i < velocity_.size(); ++i) {
-    const auto column = evaluated_.mass_matrix.col(i).head<6>();
     evaluated_.angular_momentum_jacobian.col(i) =
-        about_com(Eigen::Vector3d(column.head<3>()), Eigen::Vector3d(column.tail<3>()));
+        about_com(base_.Spread(evaluated_.mass_matrix.col(i)));
   }
-  evaluated_.angular_momentum_bias_Nm = about_com(Eigen::Vector3d(evaluated_.bias.head<3>()),
-                                                  Eigen::Vector3d(evaluated_.bias.segment<3>(3)));
+  evaluated_.angular_momentum_bias_Nm = about_com(base_.Spread(evaluated_.bias));
 }
 
 }  // namespace sidestep

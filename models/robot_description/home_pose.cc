@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "models/mjcf/base_joints.h"
 #include "models/mjcf/mjcf.h"
-#include "models/mjcf/quaternion.h"
 
 namespace sidestep {
 namespace {
@@ -18,11 +18,8 @@ Eigen::Quaterniond FromRpy(const Eigen::Vector3d& rpy_rad) {
 }  // namespace
 
 void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* data) {
-  const int base = RequireId(model, mjOBJ_BODY, robot.base);
-  mjtNum* root = data->qpos + model.jnt_qposadr[model.body_jntadr[base]];
-  mju_zero3(root);
-  root[2] = robot.base_height_m;
-  ToMuJoCo(FromRpy(robot.base_rpy_rad), root + 3);
+  const int body = RequireId(model, mjOBJ_BODY, robot.base);
+  const BaseJoints base(model, body, RequireModel(robot).file.string());
   for (int joint = 0; joint < model.njnt; ++joint) {  // wherever the model's reference is
     const bool is_scalar =
         model.jnt_type[joint] == mjJNT_HINGE || model.jnt_type[joint] == mjJNT_SLIDE;
@@ -31,6 +28,10 @@ void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* da
   for (const auto& [name, position] : robot.home) {
     data->qpos[model.jnt_qposadr[RequireId(model, mjOBJ_JOINT, name)]] = position;
   }
+  BaseMotion at_home;
+  at_home.p_WB.z() = robot.base_height_m;
+  at_home.q_WB = FromRpy(robot.base_rpy_rad);
+  base.Write(at_home, data);
   mj_kinematics(&model, data);
   mjtNum midpoint[3] = {0, 0, 0};
   for (const FootDescription& foot : robot.feet) {
@@ -38,8 +39,9 @@ void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* da
     mju_addToScl3(midpoint, data->site_xpos + 3 * site,
                   1.0 / static_cast<double>(robot.feet.size()));
   }
-  root[0] -= midpoint[0];
-  root[1] -= midpoint[1];
+  at_home.p_WB.x() -= midpoint[0];
+  at_home.p_WB.y() -= midpoint[1];
+  base.Write(at_home, data);
   mj_kinematics(&model, data);
 }
 

@@ -9,9 +9,9 @@
 namespace sidestep {
 
 /// Writes the configuration at the start into `data->qpos`: joints at robot.home (0 where it
-/// names none), the base at its height and attitude, the midpoint of the feet over the world's
-/// origin. Leaves `data` with the kinematics of that configuration. Throws ConfigError for names
-/// that the model lacks.
+/// names none), the base at its height and attitude and at rest, the midpoint of the feet over the
+/// world's origin (a base that moves in a plane stays in it). Leaves `data` with the kinematics of
+/// that configuration. Throws ConfigError for names that the model lacks.
 void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* data);
 
 }  // namespace sidestep

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <system_error>
 
+#include "models/mjcf/base_joints.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
 
@@ -82,12 +83,16 @@ MjcfNames NamesOf(const mjModel& model) {
   names.sensors = NamesOfType(model, mjOBJ_SENSOR, model.nsensor);
   for (int id = 0; id < model.njnt; ++id) {
     const int type = model.jnt_type[id];
-    const bool is_free = type == mjJNT_FREE;
-    const char* name = is_free ? mj_id2name(&model, mjOBJ_BODY, model.jnt_bodyid[id])
-                               : mj_id2name(&model, mjOBJ_JOINT, id);
+    const int body = model.jnt_bodyid[id];
+    const bool is_of_base = BaseFreedomOf(model, body).has_value();
+    const char* name =
+        is_of_base ? mj_id2name(&model, mjOBJ_BODY, body) : mj_id2name(&model, mjOBJ_JOINT, id);
     if (name == nullptr) continue;
-    if (is_free) names.free_bodies.emplace_back(name);
-    if (type == mjJNT_HINGE || type == mjJNT_SLIDE) names.joints.emplace_back(name);
+    if (is_of_base) {
+      if (id == model.body_jntadr[body]) names.floating_bodies.emplace_back(name);
+    } else if (type == mjJNT_HINGE || type == mjJNT_SLIDE) {
+      names.joints.emplace_back(name);
+    }
   }
   return names;
 }

@@ -12,10 +12,10 @@ namespace sidestep {
 
 /// Names in the order of the compiled model; unnamed parts are left out.
 struct MjcfNames {
-  std::vector<std::string> bodies;       ///< But the world.
-  std::vector<std::string> free_bodies;  ///< Bodies that carry a free joint.
+  std::vector<std::string> bodies;           ///< But the world.
+  std::vector<std::string> floating_bodies;  ///< Those that base_joints.h takes for a base.
   std::vector<std::string> sites;
-  std::vector<std::string> joints;  ///< Hinges and slides.
+  std::vector<std::string> joints;  ///< Hinges and slides, but a base's.
   std::vector<std::string> sensors;
 };
 

@@ -6,6 +6,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/mjcf_names.h"
 #include "models/robot_description/robot_parts.h"
+#include "models/robot_description/sagittal_plane.h"
 #include "models/robot_description/urdf_robot.h"
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
@@ -19,6 +20,14 @@ void ReadVersion(ConfigMap& map) {
   const ConfigNode version = map.Required("sidestep_robot");
   if (version.Integer(0, 1000000) != kFormatVersion) {
     version.Fail("= " + version.Text() + " is a version that this program can't read; it reads 1");
+  }
+}
+
+/// A base that moves in a plane can't start rolled or turned.
+void RequirePlanarStart(const ConfigNode& rpy, const RobotDescription& robot) {
+  const bool is_planar = robot.base_freedom == BaseFreedom::kSagittal;
+  if (is_planar && (robot.base_rpy_rad.x() != 0.0 || robot.base_rpy_rad.z() != 0.0)) {
+    rpy.Fail("must be [0, pitch, 0]: this base moves in a plane");
   }
 }
 
@@ -36,6 +45,8 @@ void ReadMjcfRobot(ConfigMap& map, RobotDescription* robot) {
   }
   robot->model = ReadMjcfModel(file);
   ReadModelParts(map, {ModelLanguage::kMjcf, ReadMjcfNames(file)}, robot);
+  FindSagittalPlane(robot);
+  if (const auto rpy = map.Optional("base_rpy_rad")) RequirePlanarStart(*rpy, *robot);
   for (const FootDescription& foot : robot->feet) {
     robot->force_torque.insert(robot->force_torque.end(), foot.force_torque.begin(),
                                foot.force_torque.end());

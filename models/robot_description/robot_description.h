@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "models/mjcf/base_joints.h"
 #include "models/robot_description/robot_model.h"
 
 namespace sidestep {
@@ -27,6 +28,8 @@ struct FootDescription {
   /// n_v, sum 1, from preferred_cop_m: how the MPC likes the foot's force shared between its
   /// vertices. Empty: equally, which prefers the vertices' mean.
   Eigen::VectorXd force_shares{};
+  /// Of a robot whose base moves in the plane y = 0: where F is beside it, for good; else 0.
+  double lateral_m{0.0};
 };
 
 /// What robot.yaml adds to an actuated joint. The servo is what stands between a position reference
@@ -48,8 +51,9 @@ struct RobotDescription {
   std::filesystem::path file;       ///< The robot.yaml it was read from.
   std::optional<RobotModel> model;  ///< Absent: it lives on the centroidal plant only.
   double mass_kg{0.0};              ///< Given only when there is no model to tell it; else 0.
-  std::string base;                 ///< Body B that carries the free joint.
-  std::string imu;                  ///< Site U.
+  std::string base;                 ///< Body B that floats; base_joints.h tells how it may.
+  BaseFreedom base_freedom{BaseFreedom::kFree};  ///< What its joints in the model leave it.
+  std::string imu;                               ///< Site U.
   std::string torso;         ///< Site whose orientation the whole-body control holds; may be empty.
   double com_height_m{0.0};  ///< Nominal CoM above the ground.
   double base_height_m{0.0};  ///< Base origin above the ground at the start.

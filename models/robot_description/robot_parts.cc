@@ -167,7 +167,8 @@ std::vector<FootDescription> ReadFeet(const ConfigNode& node, const KnownParts* 
 
 void ReadModelParts(ConfigMap& map, const KnownParts& parts, RobotDescription* robot) {
   const MjcfNames& names = parts.names;
-  robot->base = ReadPart(map.Required("base"), names.free_bodies, parts.base_kind, parts.language);
+  robot->base =
+      ReadPart(map.Required("base"), names.floating_bodies, parts.base_kind, parts.language);
   const ConfigNode imu = map.Required("imu");
   robot->imu = ReadPart(imu, names.sites, parts.frame_kind, parts.language);
   for (const char* quantity : {"_orientation", "_gyro", "_accelerometer"}) {

@@ -17,9 +17,10 @@ inline constexpr double kMaxMass_kg = 1e4;
 
 /// What the names of a robot.yaml refer to.
 struct KnownParts {
-  ModelLanguage language{ModelLanguage::kMjcf};     ///< Named in error texts.
-  MjcfNames names;                                  ///< Of the model, or what a URDF's will be.
-  std::string base_kind{"body with a free joint"};  ///< What the model's own language calls it.
+  ModelLanguage language{ModelLanguage::kMjcf};  ///< Named in error texts.
+  MjcfNames names;                               ///< Of the model, or what a URDF's will be.
+  /// What the model's own language calls it.
+  std::string base_kind{"floating body (a free joint, or slides x, z and hinge y)"};
   std::string frame_kind{"site"};
 };
 

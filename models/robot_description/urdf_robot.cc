@@ -188,7 +188,7 @@ KnownParts PartsAfterConversion(const UrdfParts& urdf, const UrdfConversion& con
                                 const std::string& imu) {
   KnownParts parts{kUrdf, {}, "base (first link with mass)", kFrame};
   for (const UrdfLinkInfo& link : urdf.links) parts.names.bodies.push_back(link.name);
-  parts.names.free_bodies = {urdf.links.front().name};
+  parts.names.floating_bodies = {urdf.links.front().name};
   for (const UrdfFrameInfo& frame : urdf.frames) parts.names.sites.push_back(frame.name);
   parts.names.joints = NamesOfJoints(urdf, conversion.locked_joints);
   for (const char* quantity : {"_orientation", "_gyro", "_accelerometer"}) {

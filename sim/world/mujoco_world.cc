@@ -42,6 +42,8 @@ MujocoWorld::MujocoWorld(const RobotDescription& robot, const WorldParams& param
       data_(model_),
       pushes_(pushes, params.step_s),
       mass_kg_(mj_getTotalmass(model_.get())),
+      base_body_(RequireId(*model_, mjOBJ_BODY, robot.base)),
+      base_(*model_, base_body_, robot.model->file.string()),
       servos_(robot.joints, MotorRanges(*model_)) {
   ResolveNames(robot);
   ResolvePushes(pushes);
@@ -57,7 +59,6 @@ int MujocoWorld::SensorAddress(const std::string& name) const {
 }
 
 void MujocoWorld::ResolveNames(const RobotDescription& robot) {
-  base_body_ = RequireId(*model_, mjOBJ_BODY, robot.base);
   imu_ = {SensorAddress(robot.imu + "_orientation"), SensorAddress(robot.imu + "_gyro"),
           SensorAddress(robot.imu + "_accelerometer")};
   for (const std::string& name : robot.force_torque) {
@@ -204,13 +205,12 @@ void MujocoWorld::ReadGroundContact(int contact_id, int robot_body, double sign)
 void MujocoWorld::ReadState() {
   const mjModel* model = model_.get();
   mjData* data = data_.get();
-  const int root = model->body_jntadr[base_body_];
-  const int velocity = model->jnt_dofadr[root];
   truth_.qpos = Eigen::Map<const Eigen::VectorXd>(data->qpos, model->nq);
   truth_.p_WB = ConstVector3Map(data->xpos + 3 * base_body_);
   truth_.q_WB = FromMuJoCo(data->xquat + 4 * base_body_);
-  truth_.v_WB = ConstVector3Map(data->qvel + velocity);
-  truth_.w_WB_B = ConstVector3Map(data->qvel + velocity + 3);
+  const BaseMotion base = base_.Read(*data);
+  truth_.v_WB = base.v_WB;
+  truth_.w_WB_B = base.w_WB_B;
   const CentroidalMotion motion = CentroidalMotionOf(*model, *data, base_body_);
   truth_.p_WC = motion.p_WC;
   truth_.v_WC = motion.v_WC;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "models/mjcf/base_joints.h"
 #include "models/mjcf/mj_state.h"
 #include "models/robot_description/robot_description.h"
 #include "sim/actuators/joint_servos.h"
@@ -86,6 +87,7 @@ class MujocoWorld final : public World {
   std::vector<PushedPose> pushed_poses_;
   double mass_kg_{0.0};
   int base_body_{0};
+  BaseJoints base_;
   std::vector<Foot> feet_;
   std::vector<int> joint_;  // of each actuator
   std::vector<JointInfo> joints_;

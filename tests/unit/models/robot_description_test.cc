@@ -101,10 +101,12 @@ TEST_F(RobotErrorTest, Names) {
   EXPECT_EQ(ErrorOfEdit("mini", "name: mini", "name: ''"),
             "robot.yaml:2:7: error: name must not be empty");
   EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trnk"),
-            "robot.yaml:4:7: error: base = 'trnk' is no body with a free joint of the MJCF; did "
+            "robot.yaml:4:7: error: base = 'trnk' is no floating body (a free joint, or slides x, "
+            "z and hinge y) of the MJCF; did "
             "you mean 'trunk'?");
   EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: thigh"),
-            "robot.yaml:4:7: error: base = 'thigh' is no body with a free joint of the MJCF; known "
+            "robot.yaml:4:7: error: base = 'thigh' is no floating body (a free joint, or slides x, "
+            "z and hinge y) of the MJCF; known "
             "ones: trunk");
   EXPECT_EQ(ErrorOfEdit("mini", "imu: imu", "imu: head"),
             "robot.yaml:5:6: error: imu = 'head' is no site of the MJCF; known ones: imu, foot");
