@@ -5,10 +5,11 @@ namespace sidestep::wbc {
 
 void AddBaseRows(const RigidBody& body, const ContactForces& forces, QpBuilder* qp) {
   const Eigen::Index nv = body.num_velocities();
-  EqualityRows rows = qp->AddEqualities(kBaseRows);
-  rows.A.leftCols(nv) = body.mass_matrix().topRows<kBaseRows>();
-  rows.A.middleCols(nv, forces.size()) = -forces.jacobian().leftCols<kBaseRows>().transpose();
-  rows.b = -body.bias().head<kBaseRows>();
+  const Eigen::Index nb = body.num_base_velocities();
+  EqualityRows rows = qp->AddEqualities(nb);
+  rows.A.leftCols(nv) = body.mass_matrix().topRows(nb);
+  rows.A.middleCols(nv, forces.size()) = -forces.jacobian().leftCols(nb).transpose();
+  rows.b = -body.bias().head(nb);
 }
 
 void AddTorqueLimits(const RigidBody& body, const ContactForces& forces, QpBuilder* qp) {

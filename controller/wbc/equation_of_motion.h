@@ -2,7 +2,8 @@
 #pragma once
 // equation_of_motion: M nudot + h = S^T tau + sum J_V^T f_V, over x = [nudot; f].
 //
-// Its six rows of the base, where no motor acts, are constraints; the rows of the joints tell the
+// Its rows of the base, where no motor acts, are constraints: six, or three of a base that moves in
+// a plane (RigidBody::num_base_velocities()). The rows of the joints tell the
 // torques, tau = (M nudot + h - sum J_V^T f_V) there.
 
 #include <Eigen/Core>
@@ -12,8 +13,6 @@
 #include "controller/wbc/qp_builder.h"
 
 namespace sidestep::wbc {
-
-inline constexpr Eigen::Index kBaseRows = 6;  ///< Unactuated: linear, angular.
 
 /// The base's rows, exact.
 void AddBaseRows(const RigidBody& body, const ContactForces& forces, QpBuilder* qp);

@@ -13,7 +13,7 @@ constexpr double kStandWeight = 10.0;         // a standing foot does not accele
 constexpr double kStandDamping_per_s = 20.0;  // and loses what speed it has
 
 DenseQpDimensions MaxDimensions(const ContactForces& forces, const RigidBody& body) {
-  return {static_cast<int>(body.num_velocities() + forces.max_size()), static_cast<int>(kBaseRows),
+  return {static_cast<int>(body.num_velocities() + forces.max_size()), body.num_base_velocities(),
           static_cast<int>(forces.max_cone_rows() + body.num_actuators())};
 }
 
@@ -60,7 +60,7 @@ void InverseDynamics::Build(const RobotState& state, const RigidBody& body, cons
                             params_.com_stiffness_per_s2, params_.com_damping_per_s);
     qp_.AddTask(ComAcceleration(body, a_WC), Eigen::Vector3d::Constant(params_.com_weight));
   }
-  AddAttitude(state);
+  AddAttitude(state, body);
   for (std::size_t i = 0; i < feet.size(); ++i) {
     AddFoot(i, feet[i].supports, body, feet[i]);
   }
@@ -72,15 +72,16 @@ void InverseDynamics::Build(const RobotState& state, const RigidBody& body, cons
   AddTorqueLimits(body, forces_, &qp_);
 }
 
-// wdot_WB_B is nudot's own, so that J is the identity: upright, and at rest about the vertical.
-void InverseDynamics::AddAttitude(const RobotState& state) {
+// wdot_WB_B is nudot's own, so that J picks axes: upright, and at rest about the vertical.
+void InverseDynamics::AddAttitude(const RobotState& state, const RigidBody& body) {
   const Eigen::Vector3d wdot_B = params_.attitude_stiffness_per_s2 * UprightError_B(state.q_WB) -
                                  params_.attitude_damping_per_s * state.w_WB_B;
   // A single point of contact has no grip about the vertical.
   const double yaw_weight = forces_.size() > 3 ? params_.attitude_weight : 0.0;
   const Eigen::Vector3d weight(params_.attitude_weight, params_.attitude_weight, yaw_weight);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    qp_.AddDiagonal(3 + axis, wdot_B[axis], weight[axis]);
+  Eigen::Index row = body.base().num_linear();
+  for (const int axis : body.base().angular_axes()) {
+    qp_.AddDiagonal(row++, wdot_B[axis], weight[axis]);
   }
 }
 

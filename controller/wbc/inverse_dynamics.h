@@ -5,7 +5,7 @@
 //   minimise   w_com |a_C - a_C*|^2 + w_att |wdot - wdot*|^2 + w_swing |a_F - a_F*|^2
 //            + w_stand |a_F + k v_F|^2 + w_force |f - f*|^2 + w_posture |nudot|^2
 //   over       nudot (nv), f (3 a point foot in contact)
-//   subject to the base's six rows of M nudot + h = sum J^T f,
+//   subject to the base's rows of M nudot + h = sum J^T f,
 //              f inside its friction pyramid, f_z >= 0, |tau| <= limit
 //
 // with tau = (M nudot + h - J^T f) at the actuated rows. Always feasible: f = 0, tau = 0 keeps
@@ -39,7 +39,7 @@ class InverseDynamics final : public WholeBody {
  private:
   void Build(const RobotState& state, const RigidBody& body, const ComTarget& com,
              const std::vector<FootTarget>& feet);
-  void AddAttitude(const RobotState& state);
+  void AddAttitude(const RobotState& state, const RigidBody& body);
   void AddFoot(std::size_t foot, bool stands, const RigidBody& body, const FootTarget& target);
 
   InverseDynamicsParams params_;

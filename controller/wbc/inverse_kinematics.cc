@@ -13,14 +13,14 @@
 namespace sidestep::wbc {
 namespace {
 
-constexpr int kFootRows = 6;  // linear, angular
-constexpr int kComRows = 3;
 constexpr double kSoftComWeight = 1e2;    // when the hard tasks contradict each other
 constexpr double kBaseDamping = 1e-6;     // of a base twist that no task asks for
 constexpr double kMinCarriedShare = 0.1;  // of the weight, for a ZMP worth believing
 
 DenseQpDimensions Maxima(const RobotDescription& robot, const RigidBody& body) {
-  return {body.num_velocities(), kFootRows * static_cast<int>(robot.feet.size()) + kComRows,
+  const int foot_rows = body.num_base_velocities();  // as many ways as the base has to move
+  const int com_rows = body.base().num_linear();
+  return {body.num_velocities(), foot_rows * static_cast<int>(robot.feet.size()) + com_rows,
           body.num_actuators()};
 }
 
@@ -69,7 +69,7 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const RigidBody& /*b
   const DenseQpSolution* solution = &solver_.Solve(qp_.View());
   const bool ok = solution->status == QpStatus::kSolved;
   if (!ok) {  // feet first, the CoM as well as it goes
-    qp_.DropEqualities(kComRows);
+    qp_.DropEqualities(body_.base().num_linear());
     qp_.AddTaskInOneProduct(ComVelocity(body_, v_WC), kSoftComWeight);
     solution = &solver_.Solve(qp_.View());
   }
@@ -133,7 +133,7 @@ void InverseKinematics::Build(const Eigen::Vector3d& v_WC, const RobotState& sta
     const bool has_landed = holds_[i].active || state.feet[i].in_contact;
     AddFoot(i, feet[i], feet[i].planned_contact && has_landed);
   }
-  qp_.AddExact(ComVelocity(body_, v_WC));
+  qp_.AddExact(ComVelocity(body_, v_WC), body_.base().linear_axes());
   if (body_.has_torso()) AddTrunk(feet);
   AddPosture();
   AddJointLimits();
@@ -152,8 +152,8 @@ void InverseKinematics::AddFoot(std::size_t foot, const FootTarget& target, bool
   const FootTask task =
       FootVelocity(body_, foot, feedforward + params_.foot_linear_gain_per_s * (p_WF - at.p_WF),
                    params_.foot_angular_gain_per_s * RotationError_W(at.R_WF, target.contact.R_WF));
-  qp_.AddExact(task.linear);
-  qp_.AddExact(task.angular);
+  qp_.AddExact(task.linear, body_.base().linear_axes());
+  qp_.AddExact(task.angular, body_.base().angular_axes());
 }
 
 // Upright, facing where the feet face on average.
@@ -169,7 +169,7 @@ void InverseKinematics::AddTrunk(const std::vector<FootTarget>& feet) {
 }
 
 void InverseKinematics::AddPosture() {
-  for (Eigen::Index i = 0; i < 6; ++i) qp_.AddDiagonal(i, 0.0, kBaseDamping);
+  for (int i = 0; i < body_.num_base_velocities(); ++i) qp_.AddDiagonal(i, 0.0, kBaseDamping);
   for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const double weight = params_.posture_weight * robot_.joints[i].posture_weight;
@@ -195,8 +195,9 @@ void InverseKinematics::AddJointLimits() {
 }
 
 void InverseKinematics::Integrate(const Eigen::VectorXd& nu) {
-  commanded_.v_WB = nu.head<3>();
-  commanded_.w_WB_B = nu.segment<3>(3);
+  const Vector6 twist = body_.base().Spread(nu);
+  commanded_.v_WB = twist.head<3>();
+  commanded_.w_WB_B = twist.tail<3>();
   commanded_.p_WB += dt_s_ * commanded_.v_WB;
   commanded_.q_WB = (commanded_.q_WB * FromRotationVector(dt_s_ * commanded_.w_WB_B)).normalized();
   for (std::size_t i = 0; i < robot_.joints.size(); ++i) {

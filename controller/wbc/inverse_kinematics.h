@@ -58,7 +58,7 @@ class InverseKinematics final : public WholeBody {
   void Anchor(const RobotState& state);
   void Build(const Eigen::Vector3d& v_WC, const RobotState& state,
              const std::vector<FootTarget>& feet);
-  /// Six exact rows: flat, on its hold or along its target.
+  /// Exact rows, six on a base that floats freely: flat, on its hold or along its target.
   void AddFoot(std::size_t foot, const FootTarget& target, bool stands);
   void AddTrunk(const std::vector<FootTarget>& feet);
   void AddPosture();

@@ -44,10 +44,13 @@ void QpBuilder::AddDiagonal(Eigen::Index variable, double target, double weight)
   qp_.g[variable] -= weight * target;
 }
 
-void QpBuilder::AddExact(const Task& task) {
-  EqualityRows rows = AddEqualities(3);
-  rows.A.leftCols(task.J.cols()) = task.J;
-  rows.b = task.target;
+void QpBuilder::AddExact(const Task& task, std::span<const int> axes) {
+  EqualityRows rows = AddEqualities(static_cast<Eigen::Index>(axes.size()));
+  Eigen::Index row = 0;
+  for (const int axis : axes) {
+    rows.A.row(row).head(task.J.cols()) = task.J.row(axis);
+    rows.b[row++] = task.target[axis];
+  }
 }
 
 EqualityRows QpBuilder::AddEqualities(Eigen::Index rows) {

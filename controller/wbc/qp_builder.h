@@ -9,11 +9,16 @@
 // construction: a problem may be smaller from tick to tick.
 
 #include <Eigen/Core>
+#include <array>
+#include <span>
 
 #include "controller/wbc/qp/dense_qp.h"
 #include "controller/wbc/tasks.h"
 
 namespace sidestep::wbc {
+
+/// x, y and z.
+inline constexpr std::array<int, 3> kAllAxes{0, 1, 2};
 
 /// Rows of A x = b to be written to; zero so far.
 struct EqualityRows {
@@ -45,8 +50,9 @@ class QpBuilder {
   /// Weighs (x_i - target)^2 for one variable: posture, planned forces.
   void AddDiagonal(Eigen::Index variable, double target, double weight);
 
-  /// Makes a task exact: its three rows come after those so far.
-  void AddExact(const Task& task);
+  /// Makes a task exact: its rows come after those so far. `axes` are those of x, y, z that the
+  /// robot can do anything about, all by default: a row without a freedom would only contradict.
+  void AddExact(const Task& task, std::span<const int> axes = kAllAxes);
 
   /// Adds rows that the caller fills in before the next Start(). Throw ContractViolation beyond the
   /// maxima, as AddExact() does.
