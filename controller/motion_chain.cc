@@ -73,7 +73,9 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
     com_ = mpc_.ComAt(tick);
   } else {
     const ComReference nominal = planner_.ReferenceAt(tick);
-    com_ = {nominal.p_WC, nominal.v_WC, nominal.a_WC};
+    com_.p_WC = nominal.p_WC;
+    com_.v_WC = nominal.v_WC;
+    com_.a_WC = nominal.a_WC;
   }
   return com_;
 }

@@ -59,6 +59,9 @@ ComTarget CentroidalMpc::ComAt(Tick tick) const {
   const Eigen::Vector3d v_WC = solution.linear_momentum.col(k) / mass_kg;
   target.v_WC = v_WC + within_s * target.a_WC;
   target.p_WC = solution.p_WC.col(k) + within_s * v_WC + 0.5 * within_s * within_s * target.a_WC;
+  const Eigen::Matrix3Xd& h = solution.angular_momentum;
+  target.angular_momentum_rate_Nm = (h.col(k + 1) - h.col(k)) / plan.ocp.step_s;
+  target.angular_momentum = h.col(k) + within_s * target.angular_momentum_rate_Nm;
   return target;
 }
 

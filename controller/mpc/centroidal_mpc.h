@@ -33,7 +33,8 @@ class CentroidalMpc {
   /// Footholds that the plan in use decided: landings ahead of it when it was made.
   const std::vector<Foothold>& footholds() const { return Active().footholds; }
 
-  /// CoM motion that the plan implies at `tick`: constant acceleration within a knot.
+  /// CoM motion and angular momentum that the plan implies at `tick`: acceleration and the
+  /// momentum's rate are constant within a knot.
   ComTarget ComAt(Tick tick) const;
 
   /// Forces of the plan's knot at `tick` on the vertices of `foot` (3 x n_v, N, in W).

@@ -28,14 +28,16 @@ struct FootTarget {
   PlannedContact contact;                            ///< Current contact, or the next one.
 };
 
-/// CoM motion that the MPC's solution implies at this instant.
-/// Acceleration is constant within a knot of the plan, and position and velocity are integrated
-/// from the belief at the solve: the belief of now does not enter. The nominal motion before the
-/// first plan.
+/// CoM motion and angular momentum that the MPC's solution implies at this instant.
+/// Acceleration and momentum's rate are constant within a knot of the plan, and position, velocity
+/// and momentum are integrated from the belief at the solve: the belief of now does not enter. The
+/// nominal motion before the first plan.
 struct ComTarget {
   Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
   Eigen::Vector3d v_WC{Eigen::Vector3d::Zero()};  ///< m/s.
   Eigen::Vector3d a_WC{Eigen::Vector3d::Zero()};  ///< m/s^2, gravity and external wrench included.
+  Eigen::Vector3d angular_momentum{Eigen::Vector3d::Zero()};          ///< h_C_W, kg m^2/s.
+  Eigen::Vector3d angular_momentum_rate_Nm{Eigen::Vector3d::Zero()};  ///< External torque included.
 };
 
 /// How the last MPC solve went. `ran` is true only on the tick of the solve.

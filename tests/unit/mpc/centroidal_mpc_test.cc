@@ -186,6 +186,25 @@ TEST_F(CentroidalMpcTest, ComVelocityIsContinuousThroughoutThePlan) {
   }
 }
 
+TEST_F(CentroidalMpcTest, AngularMomentumStartsAtTheBeliefAndIsTurnedByThePlannedForces) {
+  state_.angular_momentum = {0.01, -0.03, 0.0};
+  CentroidalMpc mpc(Params(), Hopper(), kTick_s);
+  Solve(&mpc, Hop(), 0);
+  mpc.Activate(0);
+  EXPECT_LT((mpc.ComAt(0).angular_momentum - state_.angular_momentum).norm(), kSolverTolerance);
+  double largest_Nm = 0.0;
+  for (Tick tick = 0; tick < 11 * kStep; ++tick) {
+    const ComTarget now = mpc.ComAt(tick);
+    const Eigen::Vector3d next = now.angular_momentum + kTick_s * now.angular_momentum_rate_Nm;
+    ASSERT_LT((mpc.ComAt(tick + 1).angular_momentum - next).norm(), kSolverTolerance) << tick;
+    if (tick % kStep != 0 || tick >= 150) continue;  // the lever is the one at the knot
+    const Eigen::Vector3d moment_Nm = (-now.p_WC).cross(mpc.ForceAt(0, tick).col(0));  // F at 0
+    EXPECT_LT((now.angular_momentum_rate_Nm - moment_Nm).norm(), 1e-3) << tick;
+    largest_Nm = std::max(largest_Nm, moment_Nm.norm());
+  }
+  EXPECT_GT(largest_Nm, 0.01) << "nothing turned";
+}
+
 TEST_F(CentroidalMpcTest, FreeFootholdsAreReportedWithFootAndIndexInTheirBoxes) {
   CentroidalMpc mpc(Params(), Hopper(), kTick_s);
   Solve(&mpc, Hop(), 0);
