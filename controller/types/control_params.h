@@ -102,7 +102,7 @@ struct EstimatorParams {
 /// one that `mode` names is read, and neither on the centroidal plant. kPassive reads none of the
 /// blocks.
 struct ControlParams {
-  ControlMode mode{ControlMode::kTorque};  ///< Torque needs point feet; position needs servos.
+  ControlMode mode{ControlMode::kTorque};  ///< Torque needs limited motors; position needs servos.
   double rate_hz{500.0};                   ///< Of the whole chain but the MPC, which has its own.
   ExternalWrenchKnowledge external_wrench{ExternalWrenchKnowledge::kUnknown};
   EstimatorKind estimator{EstimatorKind::kSensors};

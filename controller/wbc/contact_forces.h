@@ -6,6 +6,11 @@
 //   wrench about F      [sum f_V; sum (R_WF p_FV) x f_V]
 //   f_V within its friction pyramid, about the vertical: the floor is level
 //
+// A foot stands from when the plan has it on the ground and the sensor feels it there until the
+// plan lifts it: one that bears little for a while, and is not felt, does not begin to swing. Not
+// felt it may bear no more than kUnfeltShare of the weight, for it may be in the air: with that it
+// finds the ground, and the CoM is not built on it.
+//
 // As variables of a QP the forces of the feet in contact follow the nv accelerations, three a
 // vertex, foot by foot.
 
@@ -17,6 +22,8 @@
 #include "controller/wbc/qp_builder.h"
 
 namespace sidestep::wbc {
+
+inline constexpr double kUnfeltShare = 0.1;  ///< Twice what a contact's threshold should be.
 
 /// [force (N); moment about F (N m)] in W of forces at the vertices of a sole. `vertices_m` is
 /// 3 x n_v, in F; `vertex_force_N` is 3 x n_v, in W.
@@ -32,9 +39,14 @@ class ContactForces {
   /// Takes the feet that support. Does not allocate.
   void Update(const RobotState& state, const RigidBody& body, const std::vector<FootTarget>& feet);
 
+  /// Whether `foot` stands, as of the last Update().
+  bool stands(std::size_t foot) const { return feet_[foot].stands; }
+
   Eigen::Index size() const { return size_; }  ///< Variables: 3 a vertex in contact.
   Eigen::Index max_size() const { return jacobian_.rows(); }
-  Eigen::Index max_cone_rows() const { return max_size() / 3 * pyramid_.rows(); }
+  Eigen::Index max_rows() const {
+    return max_size() / 3 * pyramid_.rows() + static_cast<Eigen::Index>(feet_.size());
+  }
 
   /// size() x nv: the J_V of the vertices in contact, one below the other.
   auto jacobian() const { return jacobian_.topRows(size_); }
@@ -42,16 +54,30 @@ class ContactForces {
   /// Weighs the deviation from the plan's vertex forces, per N^2.
   void AddPlanTo(double weight, QpBuilder* qp) const;
 
-  /// The pyramids, as rows of the inequalities.
-  void AddConesTo(QpBuilder* qp) const;
+  /// Weighs how far the forces' moment about p_WC (m, in W) is from `moment_W` (N m), per (N m)^2.
+  void AddMomentTo(const Eigen::Vector3d& p_WC, const Eigen::Vector3d& moment_W, double weight,
+                   QpBuilder* qp);
+
+  /// The pyramids, and what a foot that is not felt may bear of the robot's `weight_N`, as rows of
+  /// the inequalities.
+  void AddLimitsTo(double weight_N, QpBuilder* qp) const;
 
  private:
-  std::vector<Eigen::Matrix3Xd> vertices_m_;
+  struct Foot {
+    Eigen::Matrix3Xd vertices_m;
+    bool stands{false};
+    bool is_felt{false};
+    Eigen::Index first{0};  ///< Of its variables, if it stands.
+  };
+
+  std::vector<Foot> feet_;
   Eigen::Matrix<double, 4, 3> pyramid_;
   Eigen::Index num_velocities_;
   Eigen::Index size_{0};
   Eigen::MatrixXd jacobian_;   // of all vertices; the first size_ rows are in use
   Eigen::VectorXd planned_N_;  // likewise
+  Eigen::Matrix3Xd p_WV_;      // likewise, a column a vertex
+  Eigen::MatrixXd moment_;     // 3 x all: of the forces' moment, from force to force
 };
 
 }  // namespace sidestep::wbc

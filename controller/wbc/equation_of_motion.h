@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// equation_of_motion: M nudot + h = S^T tau + sum J_V^T f_V, over x = [nudot; f].
+// equation_of_motion: M nudot + h = S^T tau + sum J_V^T f_V + e, over x = [nudot; f].
 //
 // Its rows of the base, where no motor acts, are constraints: six, or three of a base that moves in
 // a plane (RigidBody::num_base_velocities()). The rows of the joints tell the
@@ -14,8 +14,16 @@
 
 namespace sidestep::wbc {
 
-/// The base's rows, exact.
-void AddBaseRows(const RigidBody& body, const ContactForces& forces, QpBuilder* qp);
+/// Of a base's rows: as many as it has velocities, at most six. Takes no memory.
+using BaseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+
+/// The generalised force e of an external wrench about C, in W, as if it acted on the base: where
+/// it does is not known, and on the base's rows it makes no difference.
+BaseVector OnBase(const Wrench& wrench_C, const RobotState& state, const BaseJoints& base);
+
+/// The base's rows, exact; `external` is e.
+void AddBaseRows(const RigidBody& body, const ContactForces& forces, const BaseVector& external,
+                 QpBuilder* qp);
 
 /// |tau| <= limit, a row an actuator.
 void AddTorqueLimits(const RigidBody& body, const ContactForces& forces, QpBuilder* qp);

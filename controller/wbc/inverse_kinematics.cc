@@ -70,7 +70,7 @@ WbcReport InverseKinematics::Solve(const RobotState& state, const RigidBody& /*b
   const bool ok = solution->status == QpStatus::kSolved;
   if (!ok) {  // feet first, the CoM as well as it goes
     qp_.DropEqualities(body_.base().num_linear());
-    qp_.AddTaskInOneProduct(ComVelocity(body_, v_WC), kSoftComWeight);
+    qp_.AddTask(ComVelocity(body_, v_WC), kSoftComWeight);
     solution = &solver_.Solve(qp_.View());
   }
   if (solution->status == QpStatus::kSolved) {
@@ -158,14 +158,9 @@ void InverseKinematics::AddFoot(std::size_t foot, const FootTarget& target, bool
 
 // Upright, facing where the feet face on average.
 void InverseKinematics::AddTrunk(const std::vector<FootTarget>& feet) {
-  Eigen::Vector3d forward = Eigen::Vector3d::Zero();
-  for (const FootTarget& foot : feet) forward += foot.contact.R_WF.col(0);
-  const double yaw_rad = std::atan2(forward.y(), forward.x());
-  const Eigen::Matrix3d upright =
-      Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const Eigen::Vector3d w_WT =
-      params_.torso_gain_per_s * RotationError_W(body_.torso().R_WT, upright);
-  qp_.AddTaskInOneProduct(TrunkVelocity(body_, w_WT), params_.torso_weight);
+      params_.torso_gain_per_s * RotationError_W(body_.torso().R_WT, UprightFacingAs(feet));
+  qp_.AddTask(TrunkVelocity(body_, w_WT), params_.torso_weight);
 }
 
 void InverseKinematics::AddPosture() {

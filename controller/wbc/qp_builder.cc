@@ -24,19 +24,18 @@ void QpBuilder::Start(Eigen::Index variables) {
   qp_.g.head(variables).setZero();
 }
 
-void QpBuilder::AddTask(const Task& task, const Eigen::Vector3d& weight) {
-  const Eigen::Index nv = task.J.cols();
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto row = task.J.row(axis);
-    qp_.H.topLeftCorner(nv, nv).noalias() += weight[axis] * row.transpose() * row;
-    qp_.g.head(nv) -= weight[axis] * task.target[axis] * row.transpose();
-  }
-}
-
-void QpBuilder::AddTaskInOneProduct(const Task& task, double weight) {
+void QpBuilder::AddTask(const Task& task, double weight) {
   const Eigen::Index nv = task.J.cols();
   qp_.H.topLeftCorner(nv, nv).noalias() += weight * task.J.transpose() * task.J;
   qp_.g.head(nv).noalias() -= weight * task.J.transpose() * task.target;
+}
+
+void QpBuilder::AddTaskOn(Eigen::Index first, const Eigen::Ref<const Eigen::MatrixXd>& J,
+                          const Eigen::Vector3d& target, double weight) {
+  const Eigen::Index size = J.cols();
+  SIDESTEP_REQUIRE(first + size <= variables_, size);
+  qp_.H.block(first, first, size, size).noalias() += weight * J.transpose() * J;
+  qp_.g.segment(first, size).noalias() -= weight * J.transpose() * target;
 }
 
 void QpBuilder::AddDiagonal(Eigen::Index variable, double target, double weight) {

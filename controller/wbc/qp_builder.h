@@ -40,12 +40,13 @@ class QpBuilder {
   /// Begins a problem of so many variables: no task, no row.
   void Start(Eigen::Index variables);
 
-  /// Weighs a task axis by axis, one rank-one product an axis.
-  void AddTask(const Task& task, const Eigen::Vector3d& weight);
+  /// Weighs a task, all its rows alike.
+  void AddTask(const Task& task, double weight);
 
-  /// Weighs a task by one figure, all rows in one product. The same sum but for its rounding: the
-  /// inverse kinematics is fixed to the last bit by it, as the inverse dynamics is by AddTask().
-  void AddTaskInOneProduct(const Task& task, double weight);
+  /// Weighs |J y - target|^2 by one figure, where y are the variables from `first` on, as many as J
+  /// (3 rows) has columns.
+  void AddTaskOn(Eigen::Index first, const Eigen::Ref<const Eigen::MatrixXd>& J,
+                 const Eigen::Vector3d& target, double weight);
 
   /// Weighs (x_i - target)^2 for one variable: posture, planned forces.
   void AddDiagonal(Eigen::Index variable, double target, double weight);

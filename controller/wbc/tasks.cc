@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/wbc/tasks.h"
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 namespace sidestep::wbc {
 
 Task ComVelocity(const RigidBody& body, const Eigen::Vector3d& v_WC) {
@@ -41,6 +44,13 @@ Task TrunkVelocity(const RigidBody& body, const Eigen::Vector3d& w_WT) {
 
 Task TrunkAcceleration(const RigidBody& body, const Eigen::Vector3d& wdot_WT) {
   return {body.torso_jacobian(), wdot_WT - body.torso_bias_radps2()};
+}
+
+Eigen::Matrix3d UprightFacingAs(const std::vector<FootTarget>& feet) {
+  Eigen::Vector3d forward = Eigen::Vector3d::Zero();
+  for (const FootTarget& foot : feet) forward += foot.contact.R_WF.col(0);
+  const double yaw_rad = std::atan2(forward.y(), forward.x());
+  return Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 Eigen::Vector3d TrackedAcceleration(const PointTarget& target, const Eigen::Vector3d& p_now,

@@ -8,8 +8,10 @@
 // (QpBuilder::AddDiagonal).
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "controller/model/rigid_body.h"
+#include "controller/types/control_tick.h"
 
 namespace sidestep::wbc {
 
@@ -53,6 +55,9 @@ Task TrunkVelocity(const RigidBody& body, const Eigen::Vector3d& w_WT);
 
 /// J_T nudot = wdot_WT* - Jdot_T nu. The robot must have a torso.
 Task TrunkAcceleration(const RigidBody& body, const Eigen::Vector3d& wdot_WT);
+
+/// Upright, and facing where the contacts of the feet face on average.
+Eigen::Matrix3d UprightFacingAs(const std::vector<FootTarget>& feet);
 
 /// How a point is wanted to move.
 struct PointTarget {

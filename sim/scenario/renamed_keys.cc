@@ -22,6 +22,21 @@ struct RenamedKey {
 constexpr std::array kRenamedKeys{RenamedKey{"control", "wbc", "inverse_dynamics"},
                                   RenamedKey{"control", "position", "inverse_kinematics"}};
 
+/// A key whose value means something else by now, so that its new name alone would not do.
+struct ReplacedKey {
+  std::string_view block;  ///< Under `control`.
+  std::string_view name;
+  std::string_view instead;
+
+  std::string Path() const { return "control." + std::string(block) + "." + std::string(name); }
+  std::string What() const { return Path() + " is now " + std::string(instead); }
+};
+
+constexpr std::array kReplacedKeys{
+    ReplacedKey{"inverse_dynamics", "force_weight",
+                "planned_force_weight, of shares of the robot's weight: the old value, which was "
+                "per N^2, times (mass * 9.81)^2"}};
+
 void Tell(const RenamedKey& renamed, const ConfigPlace& place, const NoteSink& note) {
   if (note) note(MessageAt(place, "note", renamed.OldPath() + " is now " + renamed.NewPath()));
 }
@@ -32,6 +47,17 @@ ConfigTree* FindValue(ConfigTree* map, std::string_view key) {
     if (map->keys[i].text == key) return &map->children[i];
   }
   return nullptr;
+}
+
+void RejectReplacedKeys(ConfigTree* root) {
+  ConfigTree* control = FindValue(root, "control");
+  for (const ReplacedKey& replaced : kReplacedKeys) {
+    const ConfigTree* block = control == nullptr ? nullptr : FindValue(control, replaced.block);
+    if (block == nullptr) continue;
+    for (const ConfigKey& key : block->keys) {
+      if (key.text == replaced.name) FailAt(key.place, replaced.What());
+    }
+  }
 }
 
 }  // namespace
@@ -51,6 +77,7 @@ void RenameOldKeys(ConfigTree* root, const NoteSink& note) {
     Tell(renamed, old->place, note);
     old->text = renamed.new_name;
   }
+  RejectReplacedKeys(root);
 }
 
 std::string RenamedPath(const std::string& path, const ConfigPlace& place, const NoteSink& note) {
@@ -58,7 +85,10 @@ std::string RenamedPath(const std::string& path, const ConfigPlace& place, const
     const std::string old_path = renamed.OldPath();
     if (path != old_path && !path.starts_with(old_path + ".")) continue;
     Tell(renamed, place, note);
-    return renamed.NewPath() + path.substr(old_path.size());
+    return RenamedPath(renamed.NewPath() + path.substr(old_path.size()), place, note);
+  }
+  for (const ReplacedKey& replaced : kReplacedKeys) {
+    if (path == replaced.Path()) FailAt(place, replaced.What());
   }
   return path;
 }

@@ -78,6 +78,19 @@ TEST_F(RenamedKeysTest, BothNamesAreAMistake) {
             "control.inverse_dynamics, which is given too (column 2 of the value)");
 }
 
+// Its value meant something else: taken over as it is it would weigh nothing any more.
+TEST_F(RenamedKeysTest, AKeyOfAnotherMeaningTellsWhatIsInItsPlace) {
+  const std::string what =
+      "control.inverse_dynamics.force_weight is now planned_force_weight, of shares of the robot's "
+      "weight: the old value, which was per N^2, times (mass * 9.81)^2";
+  EXPECT_EQ(ErrorIn(Edit(old_, "com_weight: 3", "force_weight: 3")), "a.yaml:9:9: error: " + what);
+  EXPECT_EQ(ErrorOfSet("control.wbc.force_weight=3"),
+            "--set control.wbc.force_weight=3: error: " + what);
+  EXPECT_EQ(ErrorOfSet("control.inverse_dynamics={force_weight: 3}"),
+            "--set control.inverse_dynamics={force_weight: 3}: error: " + what +
+                " (column 2 of the value)");
+}
+
 TEST_F(RenamedKeysTest, ErrorsInsideNameThePresentKey) {
   EXPECT_EQ(ErrorIn(Edit(old_, "com_weight: 3", "com_weigth: 3")),
             "a.yaml:9:9: error: control.inverse_dynamics.com_weigth is not a known key; did you "

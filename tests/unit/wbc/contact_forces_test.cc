@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/icub3_stance.h"
+#include "tests/support/random_dense_qp.h"
 #include "tests/support/reference_robot.h"
 
 namespace sidestep::wbc::contact_forces_test {
@@ -96,27 +97,79 @@ TEST_F(ContactForcesTest, VerticesDoTheWorkOfTheirWrench) {
   EXPECT_LT((generalised - by_wrenches).norm(), 1e-10 * by_wrenches.norm());
 }
 
-TEST_F(ContactForcesTest, OnlyFeetThatPlanAndSensorHaveOnTheGroundCount) {
-  Update();
-  const Eigen::MatrixXd both = forces_.jacobian();
-  EXPECT_EQ(forces_.size(), forces_.max_size());
+TEST_F(ContactForcesTest, FootStandsOnceItIsPlannedAndFeltUntilThePlanLiftsIt) {
   state_.feet[0].in_contact = false;
   Update();
+  EXPECT_FALSE(forces_.stands(0)) << "not felt yet";
+  EXPECT_TRUE(forces_.stands(1));
   EXPECT_EQ(forces_.size(), 3 * Vertices(1));
-  EXPECT_EQ(Eigen::MatrixXd(forces_.jacobian()), both.bottomRows(3 * Vertices(1)));
+  const Eigen::MatrixXd right = forces_.jacobian();
+  state_.feet[0].in_contact = true;
+  Update();
+  EXPECT_TRUE(forces_.stands(0));
+  EXPECT_EQ(forces_.size(), forces_.max_size());
+  EXPECT_EQ(Eigen::MatrixXd(forces_.jacobian().bottomRows(3 * Vertices(1))), right);
+  state_.feet[0].in_contact = false;
+  Update();
+  EXPECT_TRUE(forces_.stands(0)) << "it bears little, and has not been lifted";
+  stance_.feet[0].planned_contact = false;
+  Update();
+  EXPECT_FALSE(forces_.stands(0));
+  stance_.feet[0].planned_contact = true;
+  Update();
+  EXPECT_FALSE(forces_.stands(0)) << "another contact, not felt yet";
   stance_.feet[1].planned_contact = false;
   Update();
   EXPECT_EQ(forces_.size(), 0) << "one is not felt, the other not planned";
+}
+
+TEST_F(ContactForcesTest, FootThatIsNotFeltMayBearATenthOfTheWeightInAll) {
+  Update();
+  state_.feet[1].in_contact = false;
+  Update();
+  const int size = static_cast<int>(forces_.size());
+  QpBuilder qp({nv_ + size, 0, static_cast<int>(forces_.max_rows())});
+  qp.Start(nv_ + size);
+  forces_.AddLimitsTo(400.0, &qp);
+  const DenseQpView view = qp.View();
+  ASSERT_EQ(view.C.rows(), 4 * size / 3 + 1);
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(nv_ + size);
+  EXPECT_EQ((view.C * x).tail(1)[0], static_cast<double>(Vertices(1))) << "of the right foot alone";
+  EXPECT_DOUBLE_EQ(view.upper.tail(1)[0], 40.0);
+}
+
+TEST_F(ContactForcesTest, MomentAboutTheComIsDrawnToItsTarget) {
+  Update();
+  const int size = static_cast<int>(forces_.size());
+  QpBuilder qp({nv_ + size, 0, 0});
+  qp.Start(nv_ + size);
+  const Eigen::Vector3d p_WC(0.1, -0.3, 0.8), target_Nm(4.0, -7.0, 2.0);
+  forces_.AddMomentTo(p_WC, target_Nm, 0.5, &qp);
+  SeededNumbers numbers(2);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(nv_ + size);
+  x.tail(size) = numbers.NormalMatrix(size, 1);
+  Eigen::Vector3d moment_Nm = Eigen::Vector3d::Zero();
+  Eigen::Index at = nv_;
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    for (Eigen::Index v = 0; v < Vertices(foot); ++v, at += 3) {
+      moment_Nm += (Vertex(stance_.body, foot, v) - p_WC).cross(x.segment<3>(at));
+    }
+  }
+  const DenseQpView view = qp.View();
+  const double cost = 0.5 * x.dot(view.H * x) + view.g.dot(x);
+  const double wanted = 0.25 * ((moment_Nm - target_Nm).squaredNorm() - target_Nm.squaredNorm());
+  EXPECT_NEAR(cost, wanted, 1e-9 * std::abs(wanted));
+  EXPECT_EQ(view.H.topRows(nv_).norm(), 0.0);
 }
 
 TEST_F(ContactForcesTest, ConesAndPlanStandAtTheForcesOfTheFeetInContact) {
   state_.feet[0].in_contact = false;
   Update();
   const int size = static_cast<int>(forces_.size());
-  QpBuilder qp({nv_ + size, 0, static_cast<int>(forces_.max_cone_rows())});
+  QpBuilder qp({nv_ + size, 0, static_cast<int>(forces_.max_rows())});
   qp.Start(nv_ + size);
   forces_.AddPlanTo(0.25, &qp);
-  forces_.AddConesTo(&qp);
+  forces_.AddLimitsTo(500.0, &qp);
   const DenseQpView view = qp.View();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(nv_ + size);
   x.tail(size) = stance_.feet[1].vertex_force_N.reshaped();

@@ -32,27 +32,30 @@ class QpBuilderTest : public testing::Test {
 };
 
 TEST_F(QpBuilderTest, TaskCostsTheWeightedSquareOfWhatItLeaves) {
-  const Eigen::Vector3d weight(2.0, 0.0, 5.0);
-  qp_.AddTask(task_, weight);
+  qp_.AddTask(task_, 2.0);
   const Eigen::Vector3d left = J_ * x_.head(kVelocities) - target_;
-  const double expected = 0.5 * weight.dot(left.cwiseAbs2());
-  const double at_zero = 0.5 * weight.dot(target_.cwiseAbs2());
+  const double expected = 0.5 * 2.0 * left.squaredNorm();
+  const double at_zero = 0.5 * 2.0 * target_.squaredNorm();
   EXPECT_NEAR(Cost(x_) + at_zero, expected, kRounding * expected);
   EXPECT_GT(expected, 1.0);
 }
 
-TEST_F(QpBuilderTest, BothWaysToWeighATaskMeanTheSame) {
+TEST_F(QpBuilderTest, TaskOnSomeVariablesIsATaskWithZerosBefore) {
   QpBuilder other{{12, 8, 5}};
   other.Start(kVariables);
-  qp_.AddTask(task_, Eigen::Vector3d::Constant(0.7));
-  other.AddTaskInOneProduct(task_, 0.7);
+  const Eigen::MatrixXd J = numbers_.NormalMatrix(3, 4);
+  Jacobian3 padded = Jacobian3::Zero(3, 7);
+  padded.rightCols<4>() = J;
+  qp_.AddTaskOn(3, J, target_, 0.7);
+  other.AddTask({padded, target_}, 0.7);
   EXPECT_LT((qp_.View().H - other.View().H).norm(), kRounding);
   EXPECT_LT((qp_.View().g - other.View().g).norm(), kRounding);
   EXPECT_GT(qp_.View().H.norm(), 1.0);
+  EXPECT_THROW(qp_.AddTaskOn(kVariables - 3, J, target_, 0.7), ContractViolation);
 }
 
 TEST_F(QpBuilderTest, TasksAndDiagonalsAddUp) {
-  qp_.AddTask(task_, Eigen::Vector3d::Ones());
+  qp_.AddTask(task_, 1.0);
   const double task_alone = Cost(x_);
   qp_.AddDiagonal(8, 3.0, 4.0);
   qp_.AddDiagonal(8, -1.0, 2.0);
@@ -103,7 +106,7 @@ TEST_F(QpBuilderTest, NewInequalitiesBoundNothingUntilTheyAreFilledIn) {
 }
 
 TEST_F(QpBuilderTest, StartLeavesNothingOfTheProblemBefore) {
-  qp_.AddTask(task_, Eigen::Vector3d::Ones());
+  qp_.AddTask(task_, 1.0);
   qp_.AddDiagonal(8, 1.0, 1.0);
   qp_.AddExact(task_);
   qp_.AddInequalities(5).C.setOnes();
@@ -124,7 +127,7 @@ TEST_F(QpBuilderTest, BeyondItsMaximaItBreaksTheContract) {
 TEST_F(QpBuilderTest, SolvedTheExactTaskHoldsAndTheOthersShareTheRest) {
   qp_.AddExact(task_);
   const Jacobian3 other = numbers_.NormalMatrix(3, kVelocities);
-  qp_.AddTask({other, Eigen::Vector3d::Ones()}, Eigen::Vector3d::Constant(10.0));
+  qp_.AddTask({other, Eigen::Vector3d::Ones()}, 10.0);
   for (Eigen::Index i = 0; i < kVariables; ++i) qp_.AddDiagonal(i, 0.0, 1e-6);
   DenseQpSolver solver({12, 8, 5});
   const DenseQpSolution& solution = solver.Solve(qp_.View());
