@@ -94,6 +94,11 @@ MjcfNames NamesOf(const mjModel& model) {
       names.joints.emplace_back(name);
     }
   }
+  for (int id = 0; id < model.nu; ++id) {
+    if (model.actuator_ctrllimited[id] != 0 || model.actuator_trntype[id] != mjTRN_JOINT) continue;
+    const char* name = mj_id2name(&model, mjOBJ_JOINT, model.actuator_trnid[2 * id]);
+    names.unlimited_motors.emplace_back(name != nullptr ? name : "an unnamed joint");
+  }
   return names;
 }
 

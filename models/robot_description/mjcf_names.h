@@ -17,6 +17,7 @@ struct MjcfNames {
   std::vector<std::string> sites;
   std::vector<std::string> joints;  ///< Hinges and slides, but a base's.
   std::vector<std::string> sensors;
+  std::vector<std::string> unlimited_motors;  ///< Joints whose actuator has no range of control.
 };
 
 /// Names of a compiled model.

@@ -83,6 +83,7 @@ std::vector<std::string> ShippedRobots();
 struct RobotNames {
   std::vector<std::string> bodies;
   std::vector<std::string> frames;
+  std::vector<std::string> unlimited_motors;  ///< Joints whose motor has no range of control.
 };
 
 /// Compiles the model to list its names. Throws ConfigError with MuJoCo's message if it can't.

@@ -93,12 +93,12 @@ void CheckMode(const Scenario& scenario, const ConfigTree& root) {
                  "= position needs a robot with servos, which '" + scenario.robot_name +
                      "' lacks; write mode: torque");
   }
-  const auto is_flat = [](const FootDescription& foot) { return foot.vertices_m.cols() > 1; };
-  if (mode == ControlMode::kTorque && std::any_of(robot.feet.begin(), robot.feet.end(), is_flat)) {
+  if (mode != ControlMode::kTorque || !robot.model) return;
+  const std::vector<std::string> unlimited = NamesIn(robot).unlimited_motors;
+  if (!unlimited.empty()) {
     FailAtEither(root, "control.mode", "robot",
-                 "= torque needs a robot on point feet, and '" + scenario.robot_name +
-                     "' has flat ones; write " +
-                     (has_servos ? "mode: position" : "plant: centroidal"));
+                 "= torque needs motors with limits, and '" + unlimited.front() + "' of '" +
+                     scenario.robot_name + "' has none; give it a ctrlrange in the MJCF");
   }
 }
 

@@ -55,6 +55,18 @@ TEST(RobotDescriptionTest, NamesComeFromTheMjcf) {
   const RobotNames names = NamesIn(ReadRobotDescription(kRobots / "mini/robot.yaml"));
   EXPECT_EQ(names.bodies, (std::vector<std::string>{"trunk", "thigh", "shank"}));
   EXPECT_EQ(names.frames, (std::vector<std::string>{"imu", "foot"}));
+  EXPECT_TRUE(names.unlimited_motors.empty());
+}
+
+TEST(RobotDescriptionTest, MotorsWithoutARangeOfControlAreNamedByTheirJoints) {
+  const TempFolder folder;
+  RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
+  robot.model = ReadMjcfModel(
+      folder.Write("loose.xml",
+                   "<mujoco><worldbody><body><freejoint/><geom size=\"0.1\"/><body>"
+                   "<joint name=\"hip\"/><geom size=\"0.1\"/></body></body></worldbody>"
+                   "<actuator><motor joint=\"hip\"/></actuator></mujoco>"));
+  EXPECT_EQ(NamesIn(robot).unlimited_motors, std::vector<std::string>{"hip"});
 }
 
 TEST(RobotDescriptionTest, NamesOfACentroidalRobotAreItsComAndFeet) {
@@ -179,7 +191,7 @@ TEST_F(RobotErrorTest, Mjcf) {
   EXPECT_EQ(
       ErrorOfMjcf("<freejoint/>", "<freejont/>"),
       "mini.xml:5:1: error: XML Error: Schema violation: unrecognized element; Element 'freejont'");
-  EXPECT_EQ(ErrorOfMjcf("<motor joint=\"hip\"/>", "<motor joint=\"knee\"/>"),
+  EXPECT_EQ(ErrorOfMjcf("<motor joint=\"hip\"", "<motor joint=\"knee\""),
             "mini.xml:20:1: error: Error: unknown transmission target 'knee' for actuator id = 0; "
             "Object name = , id = 0");
   EXPECT_EQ(

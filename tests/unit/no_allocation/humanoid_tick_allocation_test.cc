@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A control tick of a walking humanoid, on its servos and its own sensors, takes no memory once
-// every size has been seen: nor do the ticks on which the structured MPC solves.
+// A control tick of a walking humanoid, on its servos or by its joints' torques and from its own
+// sensors, takes no memory once every size has been seen: nor do the ticks on which the structured
+// MPC solves.
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
 
 #include "sim/scenario/read_scenario.h"
 #include "tests/support/allocation_counter.h"
@@ -17,9 +19,10 @@ constexpr double kWarmUp_s = 1.8;
 constexpr double kCounted_s = 1.8;  // a step of each foot again
 
 /// iCub3 on its quick walk, pushed at a hand while its ticks are counted.
-Scenario PushedWalk() {
-  Scenario scenario = ReadScenario(
-      std::filesystem::path(SIDESTEP_SOURCE_DIR) / "scenarios/icub_walk_fast.yaml", {});
+Scenario PushedWalk(const std::string& mode) {
+  Scenario scenario =
+      ReadScenario(std::filesystem::path(SIDESTEP_SOURCE_DIR) / "scenarios/icub_walk_fast.yaml",
+                   {"control.mode=" + mode});
   Push push;
   push.body = "r_hand";
   push.force_N = {0.0, 30.0, 0.0};
@@ -43,9 +46,13 @@ struct Counted {
   }
 };
 
-TEST(HumanoidTickAllocationTest, WalkingAndPushedIcubTakesNoMemoryInAnyTick) {
-  const Scenario scenario = PushedWalk();
-  ASSERT_EQ(scenario.control.mode, ControlMode::kPosition);
+class HumanoidTickAllocationTest : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Modes, HumanoidTickAllocationTest, testing::Values("position", "torque"),
+                         [](const auto& mode) { return mode.param; });
+
+TEST_P(HumanoidTickAllocationTest, WalkingAndPushedIcubTakesNoMemoryInAnyTick) {
+  const Scenario scenario = PushedWalk(GetParam());
   ASSERT_EQ(scenario.control.mpc.backend, MpcBackend::kStructured);
   Counted counted;
   RunWatched(scenario, kWarmUp_s + kCounted_s,

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "sim/scenario/write_scenario.h"
 #include "tests/unit/scenario/scenario_fixture.h"
 
@@ -76,38 +79,31 @@ TEST_F(CheckScenarioTest, ARobotsDefaultModeDoesNotReachTheCentroidalPlant) {
             "which has no joints; leave it out");
 }
 
-TEST_F(CheckScenarioTest, TorqueControlNeedsPointFeet) {
-  const auto flat = [&] {
-    std::filesystem::copy_file(FixtureRobots() / "mini/mini.xml", folder_.path() / "mini.xml",
-                               std::filesystem::copy_options::overwrite_existing);
-    folder_.Write("robot.yaml",
-                  "sidestep_robot: 1\nname: flat\nmjcf: mini.xml\nbase: trunk\nimu: imu\n"
-                  "com_height_m: 0.45\nbase_height_m: 0.5\nfeet:\n  - {name: foot, frame: foot, "
-                  "vertices_m: [[0.05, 0, 0], [-0.05, 0, 0]]}\n");
-    return Edit(valid_, "robot: mini", "robot: robot.yaml");
-  };
-  EXPECT_EQ(ErrorIn(flat()),
-            "a.yaml:8:9: error: control.mode = torque needs a robot on point feet, and "
-            "'robot.yaml' has flat ones; write plant: centroidal");
-  EXPECT_EQ(ErrorIn(Edit(flat(), "  mode: torque\n", "")),
-            "a.yaml:3:8: error: control.mode = torque needs a robot on point feet, and "
-            "'robot.yaml' has flat ones; write plant: centroidal")
-      << "the mode is a default: the robot is to blame";
-  EXPECT_EQ(ErrorIn(Edit(flat(), "mode: torque", "mode: passive")), "no error");
-}
-
-TEST_F(CheckScenarioTest, ARobotWithServosOnFlatFeetIsToldOfPositionControl) {
+TEST_F(CheckScenarioTest, TorqueControlTakesFlatFeetToo) {
   Scenario scenario = Read(valid_);
   const ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", valid_));
-  const auto error = [&] { return folder_.ErrorOf([&] { CheckScenario(scenario, root); }); };
-  scenario.robot.joints = {{"hip", 100.0, 1.0, 5.0, 1.0}, {"leg", 100.0, 1.0, 5.0, 1.0}};
-  EXPECT_EQ(error(), "no error") << "servos alone do no harm to torque control";
   scenario.robot.feet[0].vertices_m.setZero(3, 4);
-  EXPECT_EQ(error(),
-            "a.yaml:8:9: error: control.mode = torque needs a robot on point feet, and 'mini' has "
-            "flat ones; write mode: position");
-  scenario.control.mode = ControlMode::kPosition;
-  EXPECT_EQ(error(), "no error");
+  EXPECT_EQ(folder_.ErrorOf([&] { CheckScenario(scenario, root); }), "no error");
+}
+
+TEST_F(CheckScenarioTest, TorqueControlNeedsMotorsWithLimits) {
+  std::ifstream file(FixtureRobots() / "mini/mini.xml");
+  const std::string mjcf{std::istreambuf_iterator<char>(file), {}};
+  folder_.Write("mini.xml", Edit(mjcf, "joint=\"leg\" ctrllimited=\"true\" ctrlrange=\"-60 60\"",
+                                 "joint=\"leg\""));
+  folder_.Write("robot.yaml",
+                "sidestep_robot: 1\nname: weak\nmjcf: mini.xml\nbase: trunk\nimu: imu\n"
+                "com_height_m: 0.45\nbase_height_m: 0.5\nfeet:\n  - {name: foot, frame: foot, "
+                "vertices_m: [[0, 0, 0]]}\n");
+  const std::string unlimited = Edit(valid_, "robot: mini", "robot: robot.yaml");
+  EXPECT_EQ(ErrorIn(unlimited),
+            "a.yaml:8:9: error: control.mode = torque needs motors with limits, and 'leg' of "
+            "'robot.yaml' has none; give it a ctrlrange in the MJCF");
+  EXPECT_EQ(ErrorIn(Edit(unlimited, "  mode: torque\n", "")),
+            "a.yaml:3:8: error: control.mode = torque needs motors with limits, and 'leg' of "
+            "'robot.yaml' has none; give it a ctrlrange in the MJCF")
+      << "the mode is a default: the robot is to blame";
+  EXPECT_EQ(ErrorIn(Edit(unlimited, "mode: torque", "mode: passive")), "no error");
 }
 
 TEST_F(CheckScenarioTest, EstimatedWrenchNeedsSensorsInTheArms) {
