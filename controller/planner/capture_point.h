@@ -18,7 +18,8 @@ namespace sidestep {
 double PendulumTimeConstant_s(double height_m);
 
 /// Capture point of the belief less that of the nominal motion (m, in W, horizontal: z is zero),
-/// both with the nominal height.
-Eigen::Vector3d CapturePointError(const RobotState& state, const ComReference& nominal);
+/// both at `height_m`.
+Eigen::Vector3d CapturePointError(const RobotState& state, const ComReference& nominal,
+                                  double height_m);
 
 }  // namespace sidestep

@@ -28,7 +28,8 @@ struct ComKnot {
   Tick tick{0};
   Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
   int sequence{0};
-  bool at_rest{false};  ///< Zero velocity here; elsewhere it is set by the neighbours.
+  bool at_rest{false};   ///< Zero velocity here; elsewhere it is set by the neighbours.
+  double a_z_mps2{0.0};  ///< Vertical acceleration here: of a run's or hop's bounce.
   /// As a contact's, of the landing `sequence`.
   Eigen::Vector3d shift{Eigen::Vector3d::Zero()};
 };

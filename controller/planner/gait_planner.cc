@@ -50,7 +50,8 @@ void GaitPlanner::TakeLandings(const RobotState& state) {
     support_ = *next;
     if (has_landed && params_.follow == FollowMode::kCapturePoint) {
       GenerateSchedule(setup_, support_, tick_, horizon_, &schedule_);
-      support_.shift = CapturePointError(state, NominalComAt(schedule_, tick_, setup_.tick_s));
+      support_.shift = CapturePointError(state, NominalComAt(schedule_, tick_, setup_.tick_s),
+                                         setup_.geometry.com_height_m);
     }
     next = NextSupport(setup_, support_);
   }

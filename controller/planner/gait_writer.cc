@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "controller/planner/bounce.h"
+#include "controller/types/gravity.h"
 #include "models/support/require.h"
 
 namespace sidestep {
@@ -156,9 +158,9 @@ void GaitWriter::CloseAt(Tick tick) {
 }
 
 // Leaves a knot out that would be before the last: of a closing step that began while running.
-void GaitWriter::AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest) {
+void GaitWriter::AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest, double a_z_mps2) {
   if (support_.num_passed > 0 && tick < support_.last_passed().tick) return;
-  const ComKnot knot{tick, p_WC, support_.sequence, at_rest, support_.shift};
+  const ComKnot knot{tick, p_WC, support_.sequence, at_rest, a_z_mps2, support_.shift};
   support_.Pass(knot);
   if (schedule_ != nullptr) schedule_->com.push_back(knot);
 }
@@ -186,6 +188,19 @@ void GaitWriter::AddSwayKnot(Tick tick, int stance, const GaitParams& gait) {
   const double foot_y_m = Foot(stance).nominal.contact.nominal_p_WF.y();
   const double y_m = path_y_m + setup_.geometry.com_sway * (foot_y_m - path_y_m);
   AddKnot(tick, {x_m, y_m, setup_.geometry.com_height_m}, false);
+}
+
+void GaitWriter::AddBounceKnots(int foot, Tick lift_off, const GaitParams& gait) {
+  const Bounce bounce = BounceOf(gait);
+  const double height_m = setup_.geometry.com_height_m;
+  const Eigen::Vector3d support(FootX(foot), Foot(foot).path_y_m, height_m);
+  const Eigen::Vector3d next(support_.path_x_m + gait.step_length_m,
+                             support_.path_y_m + gait.step_side_m, height_m);
+  AddKnot(lift_off - Ticks(gait.stance_s) / 2, support - Eigen::Vector3d(0.0, 0.0, bounce.depth_m),
+          false, bounce.stance_mps2);
+  if (gait.flight_s == 0.0) return;
+  AddKnot(lift_off + Ticks(gait.flight_s) / 2,
+          0.5 * (support + next) + Eigen::Vector3d(0.0, 0.0, bounce.rise_m), false, -kGravity_mps2);
 }
 
 bool GaitWriter::Stand() {
@@ -235,14 +250,14 @@ void GaitWriter::RunStep(const GaitParams& gait) {
     const Tick overlap = from_walk ? Ticks(support_.previous->double_support_s) : 0;
     LiftOff(swing, support_.tick + std::min(overlap, stance_ticks / 2));
   }
-  AddComKnot(support_.tick + stance_ticks / 2, false);
+  AddBounceKnots(stance, support_.tick + stance_ticks, gait);
   LiftOff(stance, support_.tick + stance_ticks);
   Advance(swing, support_.tick + stance_ticks + Moved(Ticks(gait.flight_s), 0), gait);
 }
 
 void GaitWriter::HopStep(const GaitParams& gait) {
   const Tick lift_off = support_.tick + Ticks(gait.stance_s);
-  AddComKnot(support_.tick + Ticks(gait.stance_s) / 2, false);
+  AddBounceKnots(0, lift_off, gait);
   LiftOff(0, lift_off);
   Advance(0, lift_off + Moved(Ticks(gait.flight_s), 1), gait);
 }

@@ -5,7 +5,9 @@
 // see gait_generator.h and nominal_gait.h.
 //
 // Sources of the CoM's knots: over the middle of the feet in the middle of each support; with
-// GaitGeometry::com_sway also in the middle of a walk's swing, towards the foot that stands.
+// GaitGeometry::com_sway also in the middle of a walk's swing, towards the foot that stands; of a
+// run or hop also in the middle of each flight, halfway between the supports, with the height of a
+// bounce (bounce.h).
 
 #include <array>
 #include <optional>
@@ -68,8 +70,10 @@ class GaitWriter {
   void EndOrder();
   /// Ends the contact that `foot` stands in.
   void LiftOff(int foot, Tick tick);
-  void AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest);
+  void AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest, double a_z_mps2 = 0.0);
   void AddSwayKnot(Tick tick, int stance, const GaitParams& gait);
+  /// In the middle of the support by `foot` that ends at `lift_off`, and of the flight after it.
+  void AddBounceKnots(int foot, Tick lift_off, const GaitParams& gait);
   bool Stand();
   void WalkStep(const GaitParams& gait);
   void RunStep(const GaitParams& gait);

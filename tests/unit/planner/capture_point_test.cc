@@ -23,14 +23,16 @@ TEST(CapturePointTest, ErrorAddsPlaceAndSpeedOverRate) {
   state.p_WC = {1.03, 0.5, 0.3};
   state.v_WC = {0.2, -0.1 * std::sqrt(20.0), 2.0};
   // By hand: 3 cm ahead; 10 cm / w of speed to the right; height and its speed don't count.
-  EXPECT_LT((CapturePointError(state, Nominal()) - Eigen::Vector3d(0.03, -0.1, 0.0)).norm(), 1e-15);
+  EXPECT_LT(
+      (CapturePointError(state, Nominal(), kHeight_m) - Eigen::Vector3d(0.03, -0.1, 0.0)).norm(),
+      1e-15);
 }
 
 TEST(CapturePointTest, RobotThatMovesAsItShouldHasNoError) {
   RobotState state;
   state.p_WC = Nominal().p_WC;
   state.v_WC = Nominal().v_WC;
-  EXPECT_EQ(CapturePointError(state, Nominal()), Eigen::Vector3d::Zero());
+  EXPECT_EQ(CapturePointError(state, Nominal(), kHeight_m), Eigen::Vector3d::Zero());
 }
 
 }  // namespace

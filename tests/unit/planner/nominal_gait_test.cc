@@ -233,10 +233,16 @@ TEST(NominalGaitTest, ComKnotsAdvanceInTimeAndLieBetweenTheFeetThatStand) {
         x_sum_m += nominal->contact.nominal_p_WF.x();
         newest = std::max(newest, nominal->sequence);
       }
-      ASSERT_GT(FeetDown(gait, knot.tick), 0) << "a knot in flight, at " << knot.tick;
-      EXPECT_NEAR(knot.p_WC.x(), x_sum_m / FeetDown(gait, knot.tick), 1e-12) << knot.tick;
       EXPECT_EQ(knot.p_WC.y(), 0.0);
-      EXPECT_EQ(knot.p_WC.z(), kComHeight_m);
+      if (FeetDown(gait, knot.tick) == 0) {
+        if (i + 1 == gait.com.size()) continue;
+        const double between_m = 0.5 * (gait.com[i - 1].p_WC.x() + gait.com[i + 1].p_WC.x());
+        EXPECT_NEAR(knot.p_WC.x(), between_m, 1e-12) << "in flight, at " << knot.tick;
+        EXPECT_GT(knot.p_WC.z(), kComHeight_m);
+        continue;
+      }
+      EXPECT_NEAR(knot.p_WC.x(), x_sum_m / FeetDown(gait, knot.tick), 1e-12) << knot.tick;
+      EXPECT_LE(knot.p_WC.z(), kComHeight_m);
       EXPECT_EQ(knot.sequence, newest) << knot.tick;
     }
   }
