@@ -4,6 +4,7 @@
 #include "controller/centroidal_controller.h"
 #include "controller/locomotion_controller.h"
 #include "controller/passive_controller.h"
+#include "models/robot_description/sagittal_plane.h"
 
 namespace sidestep {
 
@@ -12,7 +13,9 @@ std::unique_ptr<Controller> MakeController(const ControllerSetup& setup, StageTi
     return std::make_unique<PassiveController>(setup);
   }
   if (setup.is_centroidal) return std::make_unique<CentroidalController>(setup, timer);
-  return std::make_unique<LocomotionController>(setup, timer);
+  ControllerSetup seen = setup;
+  seen.robot = InItsPlane(setup.robot);
+  return std::make_unique<LocomotionController>(seen, timer);
 }
 
 }  // namespace sidestep

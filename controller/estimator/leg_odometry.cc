@@ -63,10 +63,12 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame, RigidBody* body)
 
   state_.p_WB = x_.segment<3>(kPosition) - p_BU_W;
   state_.v_WB = x_.segment<3>(kVelocity) - v_BU_W;
+  body->Project(&state_);
   body->Translate(state_.p_WB, state_.v_WB);
   body->FillDerived(&state_);
   forces_.NoteVelocity(body->velocity());
   external_wrench_.Update(frame, forces_.arms(), &state_);
+  body->Project(&state_);
   return state_;
 }
 
@@ -79,6 +81,7 @@ void LegOdometry::OrientBase(const Eigen::Quaterniond& q_WU, const Eigen::Vector
   const ImuInBase imu = body->LocateImu(state_);
   state_.q_WB = (q_WU * Eigen::Quaterniond(imu.R_BU.transpose())).normalized();
   state_.w_WB_B = imu.R_BU * w_WU_U - imu.w_BU_B;
+  body->Project(&state_);
   body->Update(state_);
 }
 

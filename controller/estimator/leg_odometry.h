@@ -8,6 +8,9 @@
 // predicted with the accelerometer, corrected by a standing foot's kinematics: the foot is where
 // its foothold is, does not move, and stands on flat ground at its sole's height.
 //
+// Of a base that moves in a plane the belief never leaves it: what IMU and filter say across it is
+// noise, and is left out (RigidBody::Project). Along the plane nothing differs.
+//
 // Source: Bloesch et al., "State estimation for legged robots", RSS 2012, with the attitude taken
 // as known, which makes the filter linear.
 

@@ -27,11 +27,13 @@ const RobotState& TruthEstimator::Update(const SensorFrame& frame, RigidBody* bo
   state_.w_WB_B = frame.truth->w_WB_B;
   state_.joint_position = frame.joint_position;
   state_.joint_velocity = frame.joint_velocity;
+  body->Project(&state_);
   body->Update(state_);
   body->FillDerived(&state_);
   forces_.Update(frame, body, &state_);
   forces_.NoteVelocity(body->velocity());
   external_wrench_.Update(frame, forces_.arms(), &state_);
+  body->Project(&state_);
   return state_;
 }
 

@@ -15,6 +15,7 @@ namespace {
 // Decimal periods are not exact in binary; 1e-6 of a step is far above their rounding.
 constexpr double kRatioTolerance = 1e-6;
 constexpr double kTimeTolerance_s = 1e-9;
+constexpr double kLengthTolerance_m = 1e-6;
 
 /// Fails about `path` at its own place or, if the file leaves it to its default, at `other`'s.
 [[noreturn]] void FailAtEither(const ConfigTree& root, const std::string& path,
@@ -152,6 +153,36 @@ void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
   }
 }
 
+/// Whether a robot that moves in a plane is asked for nothing sideways: its feet keep the distance
+/// that they have, and neither steps nor the CoM's reference leave the plane.
+void CheckPlane(const Scenario& scenario, const ConfigTree& root) {
+  const RobotDescription& robot = scenario.robot;
+  if (scenario.plant != Plant::kMujoco || robot.base_freedom != BaseFreedom::kSagittal) return;
+  const auto require = [&](bool holds, const std::string& path, double value, double wanted) {
+    if (holds) return;
+    FailAtEither(root, path, "robot",
+                 "= " + NumberText(value) + " must be " + NumberText(wanted) + ": '" +
+                     scenario.robot_name + "' moves in a plane" +
+                     (wanted > 0.0 ? ", its feet so far apart" : ""));
+  };
+  const bool is_list = root.Find("gait") != nullptr && root.Find("gait")->kind == ConfigKind::kList;
+  const double width_m = 2.0 * robot.feet.front().lateral_m;
+  for (std::size_t i = 0; i < scenario.gait.size(); ++i) {
+    const GaitParams& gait = scenario.gait[i];
+    const std::string path = is_list ? "gait." + std::to_string(i) : "gait";
+    require(std::abs(gait.step_width_m - width_m) < kLengthTolerance_m, path + ".step_width_m",
+            gait.step_width_m, width_m);
+    require(gait.step_side_m == 0.0, path + ".step_side_m", gait.step_side_m, 0.0);
+  }
+  const MpcParams& mpc = scenario.control.mpc;
+  const PlannerParams& planner = scenario.control.planner;
+  require(mpc.box_lower_m.y() == 0.0, "control.mpc.box_lower_m.1", mpc.box_lower_m.y(), 0.0);
+  require(mpc.box_upper_m.y() == 0.0, "control.mpc.box_upper_m.1", mpc.box_upper_m.y(), 0.0);
+  require(planner.com_sway == 0.0, "control.planner.com_sway", planner.com_sway, 0.0);
+  require(planner.min_step_width_m == 0.0, "control.planner.min_step_width_m",
+          planner.min_step_width_m, 0.0);
+}
+
 /// Parts that a push may name: the MJCF's, or the reduced model's on the centroidal plant.
 std::vector<std::string> PushableParts(const Scenario& scenario) {
   RobotDescription robot = scenario.robot;
@@ -190,6 +221,7 @@ void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
   CheckRates(scenario, root);
   CheckMpc(scenario.control.mpc, root);
   CheckGaits(scenario, root);
+  CheckPlane(scenario, root);
   CheckPushes(scenario, root);
 }
 

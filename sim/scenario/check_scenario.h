@@ -8,8 +8,9 @@
 namespace sidestep {
 
 /// Checks that the robot suits plant, mode, sensing and gaits, that pushes name its parts and end
-/// in time, that rates are whole numbers of physics steps and that boxes are not empty.
-/// `root` is the tree the scenario was read from; throws ConfigError at the offending place.
+/// in time, that a robot in a plane is asked for nothing sideways, that rates are whole numbers of
+/// physics steps and that boxes are not empty. `root` is the tree the scenario was read from;
+/// throws ConfigError at the offending place.
 void CheckScenario(const Scenario& scenario, const ConfigTree& root);
 
 }  // namespace sidestep

@@ -212,5 +212,40 @@ TEST_F(CheckScenarioTest, Pushes) {
             "a.yaml:14:5: error: pushes.1 ends at 4.1 s, after the scenario's duration_s = 4.05");
 }
 
+TEST_F(CheckScenarioTest, ARobotInAPlaneIsAskedForNothingSideways) {
+  const std::string rabbit = SIDESTEP_SOURCE_DIR "/models/rabbit/robot.yaml";
+  const std::string text = "sidestep: 1\nname: a\nrobot: " + rabbit +
+                           "\nduration_s: 1\ngait: {type: walk, step_width_m: 0.12}\n";
+  const auto error_of_set = [&](const std::string& assignment) {
+    return ErrorIn(text, {assignment});
+  };
+  const std::string in_a_plane = ": '" + rabbit + "' moves in a plane";
+  EXPECT_EQ(ErrorIn(text), "no error");
+  EXPECT_EQ(ErrorIn(Edit(text, "0.12", "0.16")),
+            "a.yaml:5:34: error: gait.step_width_m = 0.16 must be 0.12" + in_a_plane +
+                ", its feet so far apart");
+  EXPECT_EQ(ErrorIn(Edit(text, ", step_width_m: 0.12", "")),
+            "a.yaml:3:8: error: gait.step_width_m = 0.16 must be 0.12" + in_a_plane +
+                ", its feet so far apart")
+      << "the default is not theirs";
+  EXPECT_EQ(ErrorIn(Edit(text, "0.12}", "0.12, step_side_m: 0.1}")),
+            "a.yaml:5:53: error: gait.step_side_m = 0.1 must be 0" + in_a_plane);
+  EXPECT_EQ(error_of_set("control.mpc.box_lower_m=[-0.1, -0.1, 0]"),
+            "--set control.mpc.box_lower_m=[-0.1, -0.1, 0]: error: control.mpc.box_lower_m.1 = "
+            "-0.1 must be 0" +
+                in_a_plane + " (column 8 of the value)");
+  EXPECT_EQ(error_of_set("control.mpc.box_upper_m=[0.1, 0.1, 0]"),
+            "--set control.mpc.box_upper_m=[0.1, 0.1, 0]: error: control.mpc.box_upper_m.1 = 0.1 "
+            "must be 0" +
+                in_a_plane + " (column 7 of the value)");
+  EXPECT_EQ(error_of_set("control.planner.com_sway=0.5"),
+            "--set control.planner.com_sway=0.5: error: control.planner.com_sway = 0.5 must be 0" +
+                in_a_plane);
+  EXPECT_EQ(error_of_set("control.planner.min_step_width_m=0.1"),
+            "--set control.planner.min_step_width_m=0.1: error: "
+            "control.planner.min_step_width_m = 0.1 must be 0" +
+                in_a_plane);
+}
+
 }  // namespace
 }  // namespace sidestep::check_scenario_test
