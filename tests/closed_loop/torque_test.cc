@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Humanoids on soles, moved by their joints' torques: the shipped walks in that mode, a quick gait,
+// and a shove that only a step saves them from.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/closed_loop.h"
+
+namespace sidestep {
+namespace {
+
+std::vector<std::string> OnTorques(std::vector<std::string> overrides = {}) {
+  overrides.insert(overrides.begin(), {"control.mode=torque", "control.rate_hz=500"});
+  return overrides;
+}
+
+void ExpectPass(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  const ClosedLoopRun run(name, OnTorques(overrides));
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
+}
+
+/// 157 N for 0.1 s are 0.3 N s/kg; to the left, over the foot that stands while the right one
+/// swings.
+std::vector<std::string> ShovedInPlace(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides{
+      "duration_s=8",
+      "expect={fall: false}",
+      "control.external_wrench=unknown",
+      "control.mpc.friction=0.5",
+      "gait={type: walk, step_length_m: 0, step_width_m: 0.16, swing_s: 0.4, double_support_s: "
+      "0.1, "
+      "swing_height_m: 0.03, landing_speed_mps: 0.02}",
+      "pushes=[{body: chest, force_N: [0, 157, 0], start_s: 4.1, duration_s: 0.1}]"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return OnTorques(overrides);
+}
+
+TEST(TorqueTest, IcubStands) { ExpectPass("icub_stand"); }
+
+TEST(TorqueTest, IcubWalksAsThePapers) { ExpectPass("icub_walk"); }
+
+TEST(TorqueTest, IcubWalksWithFourTenthsInTheAirAndOneOnBothFeet) {
+  ExpectPass("icub_walk_fast", {"gait.0.swing_s=0.4", "gait.0.double_support_s=0.1",
+                                "gait.1.landing_speed_mps=0.02"});
+}
+
+TEST(TorqueTest, AnotherHumanoidWalksWithTheSameGains) { ExpectPass("humanoid_walk"); }
+
+TEST(TorqueTest, IcubFallsWhenItDoesNothing) {
+  const ClosedLoopRun run("icub_stand", {"control.mode=passive"});
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
+}
+
+TEST(TorqueTest, IcubCatchesItselfByAStep) {
+  const ClosedLoopRun run("icub_walk_fast", ShovedInPlace());
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
+}
+
+TEST(TorqueTest, IcubFallsUnderTheSameShoveWhenItMayNotMoveItsSteps) {
+  const ClosedLoopRun run("icub_walk_fast", ShovedInPlace({"control.mpc.box_lower_m=[0, 0, 0]",
+                                                           "control.mpc.box_upper_m=[0, 0, 0]"}));
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
+}
+
+}  // namespace
+}  // namespace sidestep
