@@ -134,7 +134,7 @@ void InverseDynamics::AddTrunk(const RobotState& state, const RigidBody& body,
     qp_.AddTask(TrunkAcceleration(body, wdot_WT), params_.attitude_weight);
     return;
   }
-  // wdot_WB_B is nudot's own, so that J is the identity.
+  // wdot_WB_B is nudot's own, so that J picks axes.
   const Eigen::Vector3d wdot_B = stiffness * UprightError_B(state.q_WB) - damping * state.w_WB_B;
   const double yaw_weight = forces_.size() > 3 ? params_.attitude_weight : 0.0;
   const Eigen::Vector3d weight(params_.attitude_weight, params_.attitude_weight, yaw_weight);
