@@ -124,8 +124,9 @@ class JsonSchema {
         if (!fault.empty()) return fault;
       }
     } else if ((word == "properties" || word == "additionalProperties") && value.is_object()) {
+      const auto properties = schema.find("properties");
       for (const auto& [key, each] : value.items()) {
-        const bool is_known = schema.value("properties", Json::object()).contains(key);
+        const bool is_known = properties != schema.end() && properties->contains(key);
         if (is_known != (word == "properties")) continue;
         const std::string fault = Fault(is_known ? rule[key] : rule, each, path + key + "/");
         if (!fault.empty()) return fault;
