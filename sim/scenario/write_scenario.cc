@@ -34,9 +34,9 @@ void WriteExpectations(const char* key, const std::vector<Expectation>& expectat
       continue;
     }
     std::string interval;
-    if (expectation.min) interval = "min: " + NumberText(*expectation.min);
+    if (expectation.min) interval = "min: " + YamlNumber(*expectation.min);
     if (expectation.min && expectation.max) interval += ", ";
-    if (expectation.max) interval += "max: " + NumberText(*expectation.max);
+    if (expectation.max) interval += "max: " + YamlNumber(*expectation.max);
     yaml->Line(expectation.metric, "{" + interval + "}");
   }
   yaml->End();

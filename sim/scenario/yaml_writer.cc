@@ -49,8 +49,15 @@ std::string YamlScalar(std::string_view text) {
   return quoted + '"';
 }
 
+std::string YamlNumber(double value) {
+  std::string text = NumberText(value);
+  const std::size_t power = text.find('e');
+  if (power != std::string::npos && text.find('.') == std::string::npos) text.insert(power, ".0");
+  return text;
+}
+
 std::string YamlVector(const Eigen::Vector3d& value) {
-  return "[" + NumberText(value.x()) + ", " + NumberText(value.y()) + ", " + NumberText(value.z()) +
+  return "[" + YamlNumber(value.x()) + ", " + YamlNumber(value.y()) + ", " + YamlNumber(value.z()) +
          "]";
 }
 

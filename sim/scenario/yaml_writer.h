@@ -18,6 +18,10 @@ namespace sidestep {
 /// `text` as a YAML scalar: plain where that is safe, else double-quoted with escapes.
 std::string YamlScalar(std::string_view text);
 
+/// `value` as a YAML float. The shortest form that reads back as the same double, but a power of
+/// ten follows a point, as in 1.0e-06: readers of YAML 1.1 take 1e-06 for text.
+std::string YamlNumber(double value);
+
 /// `[x, y, z]`.
 std::string YamlVector(const Eigen::Vector3d& value);
 
@@ -25,8 +29,8 @@ std::string YamlVector(const Eigen::Vector3d& value);
 std::string YamlSize(const PixelSize& size);
 
 /// Appends block-style maps, two columns a level.
-/// Writes numbers in the shortest form that reads back as the same double, so a dumped scenario
-/// gives the very run that it was dumped from. Begin and End must pair; nothing checks it.
+/// Numbers read back as the same double, so a dumped scenario gives the very run that it was dumped
+/// from. Begin and End must pair; nothing checks it.
 class YamlWriter {
  public:
   /// Writes `key: value`, where `value` is YAML already.
@@ -49,7 +53,7 @@ class YamlWriter {
   // The visitor's face.
   // Ranges and meanings are for readers and documentation.
   void operator()(const char* key, double value, Range /*range*/, Meaning /*meaning*/) {
-    Line(key, NumberText(value));
+    Line(key, YamlNumber(value));
   }
   void operator()(const char* key, int value, Range /*range*/, Meaning /*meaning*/) {
     Line(key, std::to_string(value));

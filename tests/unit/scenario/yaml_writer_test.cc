@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <regex>
 #include <string>
 
 #include "models/support/config_tree.h"
@@ -36,6 +38,20 @@ TEST(YamlWriterTest, EveryTextReadsBack) {
     const ConfigTree root = ParseConfig("key: " + YamlScalar(text) + "\n", {"a.yaml", true});
     EXPECT_EQ(root.Find("key")->scalar, text);
   }
+}
+
+TEST(YamlWriterTest, NumbersAreFloatsOfYaml11AsWell) {
+  // Its floats have a point; 1e-06 would be text to its readers.
+  const std::regex yaml_float(R"([-+]?[0-9]+(\.[0-9]*([eE][-+][0-9]+)?)?)");
+  for (const double value : {1e-6, -1e-6, 2e-17, 1.5e-7, 1e23, 1e300, 5e-324, 0.1, 3.0, -0.0}) {
+    const std::string text = YamlNumber(value);
+    EXPECT_TRUE(std::regex_match(text, yaml_float)) << text;
+    EXPECT_EQ(ParseConfig("key: " + text + "\n", {"a.yaml", true}).Find("key")->scalar, text);
+    EXPECT_EQ(std::strtod(text.c_str(), nullptr), value);
+  }
+  EXPECT_EQ(YamlNumber(1e-6), "1.0e-06");
+  EXPECT_EQ(YamlNumber(1.5e-7), "1.5e-07");
+  EXPECT_EQ(YamlVector({1e-6, 0.5, 2e9}), "[1.0e-06, 0.5, 2.0e+09]");
 }
 
 struct Inner {
