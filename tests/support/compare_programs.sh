@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # compare_programs.sh OLD_TREE NEW_TREE: whether two builds run every shipped scenario alike.
 #
-# Runs each scenario of OLD_TREE with OLD_TREE/build/release's program, the scenario of the same name
-# of NEW_TREE with the other's, and compares the verdicts and, bit for bit, the columns that both
-# trajectory.csv have, but for wall-clock ones. Prints a line a scenario; exits with 1 if any differ.
+# Runs each scenario of OLD_TREE with OLD_TREE/build/release's program and OLD_TREE's robots, the
+# scenario of the same name of NEW_TREE with the other's, and compares the verdicts and, bit for bit,
+# the columns that both trajectory.csv have, but for wall-clock ones. Prints a line a scenario; exits
+# with 1 if any differ.
 set -euo pipefail
 old="$(cd "$1" && pwd)" new="$(cd "$2" && pwd)"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
 runs() {  # runs <tree> <folder>
-  find "$1/scenarios" -maxdepth 1 -name '*.yaml' -print0 | OMP_NUM_THREADS=1 xargs -0 -P "$(nproc)" -I{} \
+  find "$1/scenarios" -maxdepth 1 -name '*.yaml' -print0 |
+    OMP_NUM_THREADS=1 SIDESTEP_DATA_DIR="$1" xargs -0 -P "$(nproc)" -I{} \
     sh -c '"$1" run "$3" --no-video --no-plots --quiet --out "$2/$(basename "$3" .yaml)" >/dev/null 2>&1 || true' \
     sh "$1/build/release/sim/apps/sidestep" "$2" {}
 }
