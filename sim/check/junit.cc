@@ -55,10 +55,10 @@ std::string TestCase(const Outcome& outcome) {
   std::string xml = "    <testcase" + Attribute("name", outcome.name) +
                     Attribute("classname", "sidestep") + Attribute("file", outcome.file.string()) +
                     Attribute("time", Seconds(outcome.wall_s)) + ">\n";
-  if (outcome.run_class == RunClass::kPass) {
+  if (outcome.verdict == VerdictClass::kPass) {
     xml += "      <system-out>" + XmlEscape(Lines(outcome.measured)) + "</system-out>\n";
   } else {
-    const char* element = outcome.run_class == RunClass::kFail ? "failure" : "error";
+    const char* element = outcome.verdict == VerdictClass::kFail ? "failure" : "error";
     const std::string message = outcome.reasons.empty() ? "no reason given" : outcome.reasons[0];
     const std::string type = message.substr(0, message.find_first_of(" :"));
     xml += std::string("      <") + element + Attribute("message", message) +
@@ -93,14 +93,14 @@ std::string XmlEscape(std::string_view text) {
 }
 
 std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s) {
-  const auto count = [&](RunClass run_class) {
+  const auto count = [&](VerdictClass verdict) {
     return std::to_string(
         std::count_if(outcomes.begin(), outcomes.end(),
-                      [&](const Outcome& outcome) { return outcome.run_class == run_class; }));
+                      [&](const Outcome& outcome) { return outcome.verdict == verdict; }));
   };
   const std::string totals = Attribute("tests", std::to_string(outcomes.size())) +
-                             Attribute("failures", count(RunClass::kFail)) +
-                             Attribute("errors", count(RunClass::kInvalid)) +
+                             Attribute("failures", count(VerdictClass::kFail)) +
+                             Attribute("errors", count(VerdictClass::kInvalid)) +
                              Attribute("time", Seconds(wall_s));
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + totals +
                     ">\n  <testsuite" + Attribute("name", "sidestep") + totals + ">\n";

@@ -72,20 +72,8 @@ std::string Ending(int exit_code) {
          (name == nullptr ? "" : " (" + std::string(name) + ")");
 }
 
-RunClass ClassOf(VerdictClass verdict) {
-  switch (verdict) {
-    case VerdictClass::kPass:
-      return RunClass::kPass;
-    case VerdictClass::kFail:
-      return RunClass::kFail;
-    case VerdictClass::kInvalid:
-      break;
-  }
-  return RunClass::kInvalid;
-}
-
 void ReadInto(const RunSummary& summary, Outcome* outcome) {
-  outcome->run_class = ClassOf(summary.verdict);
+  outcome->verdict = summary.verdict;
   for (const ReasonSummary& reason : summary.reasons) {
     outcome->reasons.push_back(ReasonText(reason));
   }
@@ -98,18 +86,6 @@ void ReadInto(const RunSummary& summary, Outcome* outcome) {
 
 }  // namespace
 
-const char* ToString(RunClass run_class) {
-  switch (run_class) {
-    case RunClass::kPass:
-      return "PASS";
-    case RunClass::kFail:
-      return "FAIL";
-    case RunClass::kInvalid:
-      break;
-  }
-  return "INVALID";
-}
-
 Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
                     const std::filesystem::path& run_dir, const ProcessResult& process,
                     double wall_s) {
@@ -121,8 +97,9 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
   std::string problem;
   try {
     ReadInto(ReadSummary(run_dir), &outcome);
-    if (static_cast<int>(outcome.run_class) != process.exit_code) {
-      problem = Ending(process.exit_code) + " but its summary says " + ToString(outcome.run_class);
+    if (ExitCodeOf(outcome.verdict) != process.exit_code) {
+      problem = Ending(process.exit_code) + " but its summary says " +
+                std::string(EnumName(outcome.verdict));
     }
   } catch (const std::exception& error) {
     // The summary of a run that died is no evidence; what the process said is.
@@ -130,7 +107,7 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
     if (outcome.error_output.empty()) problem += std::string(" (") + error.what() + ")";
   }
   if (problem.empty()) return outcome;
-  outcome.run_class = RunClass::kInvalid;
+  outcome.verdict = VerdictClass::kInvalid;
   if (!outcome.error_output.empty()) problem += ": " + LastLine(outcome.error_output);
   outcome.reasons.insert(outcome.reasons.begin(), "ERROR: " + problem);
   return outcome;
@@ -139,7 +116,7 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
 int ExitCodeOf(const std::vector<Outcome>& outcomes) {
   int worst = 0;
   for (const Outcome& outcome : outcomes) {
-    worst = std::max(worst, static_cast<int>(outcome.run_class));
+    worst = std::max(worst, ExitCodeOf(outcome.verdict));
   }
   return worst;
 }

@@ -7,19 +7,14 @@
 #include <vector>
 
 #include "sim/process/process.h"
+#include "sim/verdict/verdict.h"
 
 namespace sidestep {
-
-/// A run's class; the values are the program's exit codes.
-enum class RunClass { kPass = 0, kFail = 1, kInvalid = 3 };
-
-/// "PASS", "FAIL" or "INVALID".
-const char* ToString(RunClass run_class);
 
 struct Outcome {
   std::string name;            ///< The scenario's.
   std::filesystem::path file;  ///< The scenario's.
-  RunClass run_class{RunClass::kInvalid};
+  VerdictClass verdict{VerdictClass::kInvalid};
   std::vector<std::string> reasons;   ///< "FALL at 1.204 s: ..."; empty for PASS.
   std::vector<std::string> measured;  ///< "fall = false", one an expectation, its bounds after it.
   double wall_s{0.0};
@@ -36,7 +31,7 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
                     const std::filesystem::path& run_dir, const ProcessResult& process,
                     double wall_s);
 
-/// The exit code of a whole check: 3 if any run is INVALID, else 1 if any is FAIL, else 0.
+/// The exit code of a whole check: that of an INVALID run if there is any, else of a FAIL, else 0.
 int ExitCodeOf(const std::vector<Outcome>& outcomes);
 
 /// The table printed at the end: a row a scenario and a line that counts the verdicts.

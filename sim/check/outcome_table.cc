@@ -25,7 +25,7 @@ std::string OneLine(std::string text) {
 
 // Why it did not pass; for a pass, what was measured.
 std::string Remark(const Outcome& outcome) {
-  if (outcome.run_class == RunClass::kPass || outcome.reasons.empty()) {
+  if (outcome.verdict == VerdictClass::kPass || outcome.reasons.empty()) {
     std::string text;
     for (const std::string& value : outcome.measured) text += (text.empty() ? "" : "; ") + value;
     return OneLine(text);
@@ -36,16 +36,27 @@ std::string Remark(const Outcome& outcome) {
   return OneLine(text);
 }
 
+// "3 PASS, 1 FAIL, 0 INVALID".
+std::string CountsText(const std::vector<Outcome>& outcomes) {
+  std::string text;
+  for (const auto& [verdict, name] : EnumNames<VerdictClass>::kNames) {
+    const auto count =
+        std::count_if(outcomes.begin(), outcomes.end(),
+                      [value = verdict](const auto& one) { return one.verdict == value; });
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string OutcomeTable(const std::vector<Outcome>& outcomes, double wall_s) {
   std::vector<Row> rows{{"verdict", "scenario", "wall_s", "speed", "reason or measured"}};
-  std::array<int, 4> count{};
   for (const Outcome& outcome : outcomes) {
-    ++count.at(static_cast<std::size_t>(outcome.run_class));
     const double speed = outcome.real_time_factor;
-    rows.push_back({ToString(outcome.run_class), outcome.name, Fixed("%.1f", outcome.wall_s),
-                    speed > 0.0 ? Fixed("%.2fx", speed) : "-", Remark(outcome)});
+    rows.push_back({std::string(EnumName(outcome.verdict)), outcome.name,
+                    Fixed("%.1f", outcome.wall_s), speed > 0.0 ? Fixed("%.2fx", speed) : "-",
+                    Remark(outcome)});
   }
   std::array<std::size_t, 5> width{};
   for (const Row& row : rows) {
@@ -63,8 +74,7 @@ std::string OutcomeTable(const std::vector<Outcome>& outcomes, double wall_s) {
     table += "\n";
   }
   return table + std::to_string(outcomes.size()) + " run in " + Fixed("%.1f", wall_s) +
-         " s: " + std::to_string(count[0]) + " PASS, " + std::to_string(count[1]) + " FAIL, " +
-         std::to_string(count[3]) + " INVALID\n";
+         " s: " + CountsText(outcomes) + "\n";
 }
 
 }  // namespace sidestep

@@ -22,7 +22,7 @@ Outcome NotRun(const CheckItem& item, const std::string& reason) {
   Outcome outcome;
   outcome.name = item.name;
   outcome.file = item.file;
-  outcome.run_class = RunClass::kInvalid;
+  outcome.verdict = VerdictClass::kInvalid;
   outcome.reasons = {reason};
   return outcome;
 }

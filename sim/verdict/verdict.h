@@ -31,6 +31,19 @@ struct EnumNames<VerdictClass> {
        {VerdictClass::kInvalid, "INVALID"}}};
 };
 
+/// What the program tells the shell of a run, and `check` of all of them: the greatest.
+constexpr int ExitCodeOf(VerdictClass verdict) {
+  switch (verdict) {
+    case VerdictClass::kPass:
+      return 0;
+    case VerdictClass::kFail:
+      return 1;
+    case VerdictClass::kInvalid:
+      break;
+  }
+  return 3;
+}
+
 /// What Reason::kind may be. The first four make a FAIL, the others an INVALID.
 namespace reason {
 inline constexpr char kFall[] = "FALL";  ///< At the first sign.

@@ -102,7 +102,8 @@ int Check(const CheckArguments& arguments) {
     const auto total = static_cast<double>(plan.items.size());
     outcomes = RunChecks(plan, InterruptRequested, [&](const Outcome& outcome, std::size_t done) {
       const std::string count = std::to_string(done) + "/" + std::to_string(plan.items.size());
-      progress.Say("[" + count + "] " + ToString(outcome.run_class) + " " + outcome.name);
+      progress.Say("[" + count + "] " + std::string(EnumName(outcome.verdict)) + " " +
+                   outcome.name);
       progress.Update(static_cast<double>(done) / total, count + " done");
     });
   }

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "sim/apps/commands/commands.h"
-#include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
 #include "sim/apps/commands/progress.h"
 #include "sim/episode/interrupt.h"
@@ -78,18 +77,6 @@ void PrintVerdict(const std::string& name, const RunResult& result) {
     if (fs::exists(path)) std::printf("  %-6s  %s\n", label, path.c_str());
   }
   std::fflush(stdout);
-}
-
-int ExitCodeOf(VerdictClass verdict_class) {
-  switch (verdict_class) {
-    case VerdictClass::kPass:
-      return kExitPass;
-    case VerdictClass::kFail:
-      return kExitFail;
-    case VerdictClass::kInvalid:
-      break;
-  }
-  return kExitInvalid;
 }
 
 int Run(const RunArguments& arguments) {

@@ -10,11 +10,11 @@
 namespace sidestep::junit_test {
 namespace {
 
-Outcome Make(const std::string& name, RunClass run_class, std::vector<std::string> reasons) {
+Outcome Make(const std::string& name, VerdictClass verdict, std::vector<std::string> reasons) {
   Outcome outcome;
   outcome.name = name;
   outcome.file = name + ".yaml";
-  outcome.run_class = run_class;
+  outcome.verdict = verdict;
   outcome.reasons = std::move(reasons);
   outcome.measured = {"fall = true (is false) missed"};
   outcome.wall_s = 1.25;
@@ -47,9 +47,9 @@ TEST(XmlEscapeTest, BytesThatAreNoUtf8AreDropped) {
 }
 
 TEST(JunitTest, ThreeVerdictsGiveTheirElementsAndTotals) {
-  const std::string xml = JunitXml({Make("good", RunClass::kPass, {}),
-                                    Make("bad", RunClass::kFail, {"FALL at 1.000 s: low", "B"}),
-                                    Make("ugly", RunClass::kInvalid, {"ERROR: signal <11>"})},
+  const std::string xml = JunitXml({Make("good", VerdictClass::kPass, {}),
+                                    Make("bad", VerdictClass::kFail, {"FALL at 1.000 s: low", "B"}),
+                                    Make("ugly", VerdictClass::kInvalid, {"ERROR: signal <11>"})},
                                    4.5);
   // The whole document: any change of it is a change of what CI servers get.
   const std::string totals = R"(tests="3" failures="1" errors="1" time="4.500">)";

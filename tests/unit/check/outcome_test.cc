@@ -36,7 +36,7 @@ Outcome Read(const std::string& summary, int exit_code, const std::string& err =
 
 TEST(ReadOutcomeTest, APassKeepsItsMeasuredValuesAndBounds) {
   const Outcome outcome = Read(PassSummary(), 0);
-  EXPECT_EQ(outcome.run_class, RunClass::kPass);
+  EXPECT_EQ(outcome.verdict, VerdictClass::kPass);
   EXPECT_TRUE(outcome.reasons.empty());
   EXPECT_EQ(outcome.measured,
             (std::vector<std::string>{"fall = false (is false)",
@@ -46,7 +46,7 @@ TEST(ReadOutcomeTest, APassKeepsItsMeasuredValuesAndBounds) {
 
 TEST(ReadOutcomeTest, AFailKeepsItsReasonsWithTheirTimes) {
   const Outcome outcome = Read(FailSummary(), 1);
-  EXPECT_EQ(outcome.run_class, RunClass::kFail);
+  EXPECT_EQ(outcome.verdict, VerdictClass::kFail);
   EXPECT_EQ(outcome.reasons, (std::vector<std::string>{"FALL at 1.204 s: base too low",
                                                        "EXPECTATION: fall is true"}));
   EXPECT_EQ(outcome.measured,
@@ -57,7 +57,7 @@ TEST(ReadOutcomeTest, AFailKeepsItsReasonsWithTheirTimes) {
 
 TEST(ReadOutcomeTest, ACrashIsInvalidAndQuotesTheLastWords) {
   const Outcome outcome = Read("", 128 + 11, "starting\nlast words\n");
-  EXPECT_EQ(outcome.run_class, RunClass::kInvalid);
+  EXPECT_EQ(outcome.verdict, VerdictClass::kInvalid);
   ASSERT_EQ(outcome.reasons.size(), 1U);
   EXPECT_NE(outcome.reasons[0].find("signal 11"), std::string::npos) << outcome.reasons[0];
   EXPECT_NE(outcome.reasons[0].find(": last words"), std::string::npos) << outcome.reasons[0];
@@ -65,9 +65,9 @@ TEST(ReadOutcomeTest, ACrashIsInvalidAndQuotesTheLastWords) {
 }
 
 TEST(ReadOutcomeTest, ASummaryThatContradictsTheExitCodeIsInvalid) {
-  EXPECT_EQ(Read(PassSummary(), 1).run_class, RunClass::kInvalid);
-  EXPECT_EQ(Read(PassSummary(), 3).run_class, RunClass::kInvalid);
-  EXPECT_EQ(Read(FailSummary(), 0).run_class, RunClass::kInvalid);
+  EXPECT_EQ(Read(PassSummary(), 1).verdict, VerdictClass::kInvalid);
+  EXPECT_EQ(Read(PassSummary(), 3).verdict, VerdictClass::kInvalid);
+  EXPECT_EQ(Read(FailSummary(), 0).verdict, VerdictClass::kInvalid);
 }
 
 TEST(ReadOutcomeTest, ABrokenOrAbsentSummaryIsNeverAPass) {
@@ -75,12 +75,12 @@ TEST(ReadOutcomeTest, ABrokenOrAbsentSummaryIsNeverAPass) {
   half.resize(half.size() / 2);
   std::string other_verdict = PassSummary();
   other_verdict.replace(other_verdict.find("PASS"), 4, "OK");
-  ASSERT_EQ(Read(BareSummary(VerdictClass::kPass), 0).run_class, RunClass::kPass);
+  ASSERT_EQ(Read(BareSummary(VerdictClass::kPass), 0).verdict, VerdictClass::kPass);
   for (const std::string& summary :
        {std::string(), std::string("{"), std::string("[]"), std::string("{}"), half, other_verdict,
         std::string(R"({"verdict": "PASS"})"), std::string(100'000, '[')}) {
     const Outcome outcome = Read(summary, 0);
-    EXPECT_EQ(outcome.run_class, RunClass::kInvalid) << summary.substr(0, 40);
+    EXPECT_EQ(outcome.verdict, VerdictClass::kInvalid) << summary.substr(0, 40);
     ASSERT_EQ(outcome.reasons.size(), 1U);
     EXPECT_NE(outcome.reasons[0].find("left no whole summary ("), std::string::npos);
     EXPECT_NE(outcome.reasons[0].find("summary.json"), std::string::npos) << "it names the file";
@@ -89,9 +89,9 @@ TEST(ReadOutcomeTest, ABrokenOrAbsentSummaryIsNeverAPass) {
 
 TEST(ExitCodeTest, InvalidOutweighsFailAndFailOutweighsPass) {
   Outcome pass, fail, invalid;
-  pass.run_class = RunClass::kPass;
-  fail.run_class = RunClass::kFail;
-  invalid.run_class = RunClass::kInvalid;
+  pass.verdict = VerdictClass::kPass;
+  fail.verdict = VerdictClass::kFail;
+  invalid.verdict = VerdictClass::kInvalid;
   EXPECT_EQ(ExitCodeOf({}), 0);
   EXPECT_EQ(ExitCodeOf({pass, pass}), 0);
   EXPECT_EQ(ExitCodeOf({pass, fail, pass}), 1);

@@ -51,9 +51,9 @@ TEST(RunChecksTest, OutcomesComeInTheItemsOrderWhateverTheNumberOfJobs) {
         [&](const Outcome&, std::size_t num_done) { EXPECT_EQ(num_done, ++last_done); });
     ASSERT_EQ(outcomes.size(), 4U);
     EXPECT_EQ(last_done, 4U);
-    EXPECT_EQ(outcomes[0].run_class, RunClass::kPass);
-    EXPECT_EQ(outcomes[1].run_class, RunClass::kFail);
-    EXPECT_EQ(outcomes[2].run_class, RunClass::kInvalid);
+    EXPECT_EQ(outcomes[0].verdict, VerdictClass::kPass);
+    EXPECT_EQ(outcomes[1].verdict, VerdictClass::kFail);
+    EXPECT_EQ(outcomes[2].verdict, VerdictClass::kInvalid);
     EXPECT_EQ(outcomes[2].error_output, "about to crash");
     EXPECT_EQ(outcomes[3].name, "s3");
   }
@@ -77,8 +77,8 @@ TEST(RunChecksTest, AfterAStopNothingIsStartedAndTheRestIsInvalid) {
   std::atomic<bool> stop{false};
   const auto outcomes = RunChecks(
       fixture.plan, [&] { return stop.load(); }, [&](const Outcome&, std::size_t) { stop = true; });
-  EXPECT_EQ(outcomes[0].run_class, RunClass::kPass);
-  EXPECT_EQ(outcomes[1].run_class, RunClass::kInvalid);
+  EXPECT_EQ(outcomes[0].verdict, VerdictClass::kPass);
+  EXPECT_EQ(outcomes[1].verdict, VerdictClass::kInvalid);
   EXPECT_EQ(outcomes[2].reasons[0], "INTERRUPTED: it was not started");
   EXPECT_FALSE(std::filesystem::exists(fixture.folder.path() / "s1"));
 }
@@ -91,7 +91,7 @@ TEST(RunChecksTest, AStopEndsTheRunsInProgress) {
       [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(1); },
       [](const Outcome&, std::size_t) {});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-  EXPECT_EQ(outcomes[1].run_class, RunClass::kInvalid);
+  EXPECT_EQ(outcomes[1].verdict, VerdictClass::kInvalid);
   EXPECT_NE(outcomes[1].reasons[0].find("signal 15"), std::string::npos) << outcomes[1].reasons[0];
 }
 
@@ -100,7 +100,7 @@ TEST(RunChecksTest, AProgramThatCannotBeStartedIsInvalid) {
   fixture.plan.program = fixture.folder.path() / "absent";
   const auto outcomes = RunChecks(
       fixture.plan, [] { return false; }, [](const Outcome&, std::size_t) {});
-  EXPECT_EQ(outcomes[0].run_class, RunClass::kInvalid);
+  EXPECT_EQ(outcomes[0].verdict, VerdictClass::kInvalid);
 }
 
 }  // namespace
