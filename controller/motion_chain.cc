@@ -21,8 +21,9 @@ TouchDownRule TouchDownsOf(const ControllerSetup& setup, const mpc::RobotModel& 
 }
 
 GaitPlanner MakePlanner(const ControllerSetup& setup, const TouchDownRule& touch_downs) {
-  const GaitGeometry geometry =
-      MakeGaitGeometry(setup.robot, setup.control.planner, setup.control.mpc);
+  GaitGeometry geometry = MakeGaitGeometry(setup.robot, setup.control.planner.com_sway);
+  geometry.box_lower_m = setup.control.mpc.box_lower_m;
+  geometry.box_upper_m = setup.control.mpc.box_upper_m;
   const Tick horizon =
       (setup.control.mpc.knots + 1) * TickAt(setup.control.mpc.step_s, setup.tick_s);
   return {{setup.gait, geometry, setup.tick_s}, setup.control.planner, horizon, touch_downs};

@@ -5,15 +5,12 @@
 // Planner and verdict ask here, so that both lay the same gait out.
 
 #include "controller/planner/gait_setup.h"
-#include "controller/types/gait_params.h"
-#include "controller/types/mpc_params.h"
 #include "models/robot_description/robot_description.h"
 
 namespace sidestep {
 
-/// Of `robot`, which has feet (ContractViolation), with the sway of `planner` and the boxes of
-/// `mpc`.
-GaitGeometry MakeGaitGeometry(const RobotDescription& robot, const PlannerParams& planner,
-                              const MpcParams& mpc);
+/// Of `robot`, which has feet (ContractViolation). `com_sway` is PlannerParams::com_sway; the boxes
+/// are empty: who adjusts steps fills them.
+GaitGeometry MakeGaitGeometry(const RobotDescription& robot, double com_sway);
 
 }  // namespace sidestep

@@ -13,7 +13,7 @@ ControllerSetup SetupOf(const Scenario& scenario) {
 Episode StartEpisode(const Scenario& scenario, const ControllerFactory& make_controller) {
   std::unique_ptr<World> world = MakeWorld(scenario);
   const double mass_kg = world->mass_kg();
-  Judge judge(scenario, mass_kg, world->joints());
+  Judge judge(MeterSetupOf(scenario, mass_kg, world->joints()), scenario.expect);
   auto timer = std::make_unique<WallStageTimer>();
   std::unique_ptr<Controller> controller = make_controller(SetupOf(scenario), timer.get());
   return {scenario,         std::move(world),      MakeSensorSuite(scenario, mass_kg),

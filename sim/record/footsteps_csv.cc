@@ -45,8 +45,12 @@ std::string FootstepsCsv(const std::vector<FootstepRecord>& footsteps,
       text.append(",,,");
     }
     AppendCell(step.slip_m, text);
-    AppendCells(contact.box_lower_m.head<2>(), text);
-    AppendCells(contact.box_upper_m.head<2>(), text);
+    if (step.is_planned) {
+      AppendCells(contact.box_lower_m.head<2>(), text);
+      AppendCells(contact.box_upper_m.head<2>(), text);
+    } else {
+      text.append(",,,,");
+    }
     AppendCell(std::atan2(contact.R_WF(1, 0), contact.R_WF(0, 0)), text);
     text.push_back('\n');
   }

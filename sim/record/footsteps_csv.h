@@ -9,7 +9,8 @@
 
 namespace sidestep {
 
-/// One row a contact, with a header. @param feet  Names. @param tick_s  Length of a tick (s).
+/// One row a contact, with a header. What there is not, a place or a box, is an empty cell. @param
+/// feet  Names. @param tick_s  Length of a tick (s).
 std::string FootstepsCsv(const std::vector<FootstepRecord>& footsteps,
                          const std::vector<std::string>& feet, double tick_s);
 

@@ -55,7 +55,7 @@ struct Recorder::State {
       : scenario(scenario_of_run),
         run_dir(PrepareFolder(folder)),
         feet(FootNames(scenario)),
-        table(scenario, world.joints()),
+        table(scenario.robot, scenario.plant, scenario.control.mode, world.joints()),
         trajectory(run_dir / "trajectory.csv"),
         states(run_dir / "states.bin"),
         mpc(run_dir / "mpc.csv") {

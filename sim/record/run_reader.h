@@ -54,7 +54,8 @@ struct Footstep {
   Eigen::Vector3d adjusted_p_WF;
   std::optional<Eigen::Vector3d> realised_p_WF;  ///< Empty if the foot never landed.
   double slip_m{0.0};
-  Eigen::Vector2d box_lower_m;  ///< The box that adjusted - nominal must stay in, x and y of F.
+  /// The box that adjusted - nominal must stay in, x and y of F; NaN if the controller told none.
+  Eigen::Vector2d box_lower_m;
   Eigen::Vector2d box_upper_m;
   double yaw_rad{0.0};  ///< Of F about W's z.
 };

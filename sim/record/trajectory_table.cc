@@ -75,11 +75,12 @@ double Entry(const Eigen::VectorXd& vector, std::size_t at) {
 
 }  // namespace
 
-TrajectoryTable::TrajectoryTable(const Scenario& scenario, std::vector<JointInfo> joints)
+TrajectoryTable::TrajectoryTable(const RobotDescription& robot, Plant plant, ControlMode mode,
+                                 std::vector<JointInfo> joints)
     : joints_(std::move(joints)),
-      has_references_(scenario.control.mode == ControlMode::kPosition),
-      up_B_(UprightAxis(scenario)) {
-  for (const FootDescription& foot : scenario.robot.feet) feet_.push_back(foot.name);
+      has_references_(mode == ControlMode::kPosition),
+      up_B_(UprightAxis(robot, plant)) {
+  for (const FootDescription& foot : robot.feet) feet_.push_back(foot.name);
 }
 
 std::string TrajectoryTable::Header() const {
@@ -108,8 +109,10 @@ void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
   WalkBelief(row.control, line);
   WalkPlan(row.control, line);
   WalkJoints(row, line);
-  line.Number("wbc_status", {}, {}, static_cast<int>(row.control.wbc.status));
-  line.Number("mpc_age_s", {}, {}, row.control.mpc_age_s);
+  const bool plans = !row.control.feet.empty();
+  const bool thinks = plans || !row.control.state.feet.empty();
+  line.Number("wbc_status", {}, {}, static_cast<int>(row.control.wbc.status), thinks);
+  line.Number("mpc_age_s", {}, {}, row.control.mpc_age_s, plans);
   line.Number("wall_control_ms", {}, {}, row.wall.control_ms);
   line.Number("wall_whole_body_ms", {}, {}, row.wall.whole_body_ms);
   line.Number("wall_mpc_ms", {}, {}, row.wall.mpc_ms);

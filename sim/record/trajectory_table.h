@@ -4,7 +4,8 @@
 //
 // One walk over the columns writes both the header and the rows, so that they can't disagree.
 // What a controller does not say is an empty cell: without feet in its state it believes nothing,
-// without feet among its targets it plans nothing.
+// without feet among its targets it plans nothing (and its plan has no age); without either it
+// tells nothing of its whole body.
 
 #include <string>
 #include <string_view>
@@ -29,8 +30,10 @@ struct TrajectoryRow {
 /// is a torque or a reference. Names end in their unit, as keys do.
 class TrajectoryTable {
  public:
-  /// @param joints  Of the plant.
-  TrajectoryTable(const Scenario& scenario, std::vector<JointInfo> joints);
+  /// @param robot  The nominal one. @param mode  Whose commands are told. @param joints  Of the
+  /// plant.
+  TrajectoryTable(const RobotDescription& robot, Plant plant, ControlMode mode,
+                  std::vector<JointInfo> joints);
 
   /// The first line, with its end.
   std::string Header() const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "controller/planner/gait_geometry.h"
+#include "models/support/require.h"
 
 namespace sidestep {
 namespace {
@@ -11,36 +12,42 @@ namespace {
 // Beyond the duration: a robot may be ahead of its schedule by less.
 constexpr double kMargin_s = 5.0;
 
-NominalGait GaitOf(const Scenario& scenario, Tick end_tick) {
-  const RobotDescription& robot = scenario.robot;
-  const GaitGeometry geometry =
-      MakeGaitGeometry(robot, scenario.control.planner, scenario.control.mpc);
-  return BuildNominalGait(scenario.gait, geometry, end_tick, scenario.world.step_s);
+// The box of a step's adjustment is the controller's, and none is asked for.
+NominalGait GaitOf(const RobotDescription& robot, const AskedGait& asked, Tick end_tick) {
+  const GaitGeometry geometry = MakeGaitGeometry(robot, asked.com_sway);
+  return BuildNominalGait(asked.segments, geometry, end_tick, asked.tick_s);
 }
 
 }  // namespace
 
-NominalMotion::NominalMotion(const Scenario& scenario)
-    : tick_s_(scenario.world.step_s), end_tick_(TickAt(scenario.duration_s + kMargin_s, tick_s_)) {
-  gait_ = GaitOf(scenario, end_tick_);
+AskedGait AskedGaitOf(const Scenario& scenario) {
+  return {scenario.gait, scenario.control.planner.com_sway, scenario.duration_s,
+          scenario.world.step_s};
+}
+
+std::size_t NearestStart(std::span<const Tick> starts, Tick tick) {
+  SIDESTEP_REQUIRE(!starts.empty(), tick);
+  const auto next = std::upper_bound(starts.begin(), starts.end(), tick);
+  if (next == starts.begin()) return 0;
+  const auto before = static_cast<std::size_t>(next - starts.begin()) - 1;
+  if (next == starts.end()) return before;
+  return *next - tick < tick - starts[before] ? before + 1 : before;
+}
+
+NominalMotion::NominalMotion(const RobotDescription& robot, const AskedGait& asked)
+    : tick_s_(asked.tick_s), end_tick_(TickAt(asked.duration_s + kMargin_s, tick_s_)) {
+  gait_ = GaitOf(robot, asked, end_tick_);
   for (const std::vector<NominalContact>& contacts : gait_.feet) {
     std::vector<PlannedContact>& foot = feet_.emplace_back();
-    for (const NominalContact& nominal : contacts) foot.push_back(nominal.contact);
+    std::vector<Tick>& starts = starts_.emplace_back();
+    for (const NominalContact& nominal : contacts) {
+      foot.push_back(nominal.contact);
+      starts.push_back(nominal.contact.start_tick);
+    }
   }
 }
 
 ComReference NominalMotion::ComAt(Tick tick) const { return NominalComAt(gait_, tick, tick_s_); }
-
-std::size_t NominalMotion::NearestContact(std::size_t foot, Tick tick) const {
-  const std::vector<PlannedContact>& contacts = feet_.at(foot);
-  const auto next = std::upper_bound(
-      contacts.begin(), contacts.end(), tick,
-      [](Tick value, const PlannedContact& contact) { return value < contact.start_tick; });
-  if (next == contacts.begin()) return 0;
-  const auto at = static_cast<std::size_t>(next - contacts.begin());
-  if (next == contacts.end()) return at - 1;
-  return next->start_tick - tick < tick - contacts[at - 1].start_tick ? at : at - 1;
-}
 
 Eigen::Vector3d NominalMotion::StepTo(std::size_t foot, std::size_t index) const {
   const PlannedContact& contact = feet_.at(foot).at(index);

@@ -18,9 +18,9 @@ std::string Compared(const char* what, double measured, const char* relation, do
 
 }  // namespace
 
-Eigen::Vector3d UprightAxis(const Scenario& scenario) {
-  if (scenario.plant == Plant::kCentroidal) return Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d& rpy_rad = scenario.robot.base_rpy_rad;
+Eigen::Vector3d UprightAxis(const RobotDescription& robot, Plant plant) {
+  if (plant == Plant::kCentroidal) return Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d& rpy_rad = robot.base_rpy_rad;
   const double roll_rad = rpy_rad.x(), pitch_rad = rpy_rad.y();
   // Last row of Rz(yaw) Ry(pitch) Rx(roll).
   return {-std::sin(pitch_rad), std::cos(pitch_rad) * std::sin(roll_rad),
@@ -33,12 +33,11 @@ double TiltRad(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& up_B) {
   return std::atan2(up_W.head<2>().norm(), up_W.z());
 }
 
-FallMeter::FallMeter(const Scenario& scenario)
-    : bounds_(scenario.verdict),
-      is_centroidal_(scenario.plant == Plant::kCentroidal),
-      up_B_(UprightAxis(scenario)),
-      nominal_height_m_(is_centroidal_ ? scenario.robot.com_height_m
-                                       : scenario.robot.base_height_m) {}
+FallMeter::FallMeter(const RobotDescription& robot, Plant plant, const VerdictParams& bounds)
+    : bounds_(bounds),
+      is_centroidal_(plant == Plant::kCentroidal),
+      up_B_(UprightAxis(robot, plant)),
+      nominal_height_m_(is_centroidal_ ? robot.com_height_m : robot.base_height_m) {}
 
 void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   const double height_m = is_centroidal_ ? truth.p_WC.z() : truth.p_WB.z();

@@ -8,13 +8,15 @@
 #include <string>
 
 #include "controller/types/tick.h"
+#include "models/robot_description/robot_description.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
 
 namespace sidestep {
 
 /// Axis of B that points up at the start: z, unless the robot's base_rpy_rad tilts it. Unit length.
-Eigen::Vector3d UprightAxis(const Scenario& scenario);
+/// @param robot  The nominal one. @param plant  The centroidal one has no attitude: z.
+Eigen::Vector3d UprightAxis(const RobotDescription& robot, Plant plant);
 
 /// Angle between an axis of B and the vertical (rad), in [0, pi].
 double TiltRad(const Eigen::Quaterniond& q_WB,
@@ -25,7 +27,8 @@ double TiltRad(const Eigen::Quaterniond& q_WB,
 /// tilts beyond verdict.max_tilt_rad. Extremes go on being measured after it.
 class FallMeter {
  public:
-  explicit FallMeter(const Scenario& scenario);
+  /// @param robot  The nominal one: its heights and its attitude at the start.
+  FallMeter(const RobotDescription& robot, Plant plant, const VerdictParams& bounds);
 
   /// Takes the truth of one tick; it must be finite.
   void Add(Tick tick, const WorldTruth& truth);

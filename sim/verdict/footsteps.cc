@@ -7,14 +7,9 @@
 namespace sidestep {
 namespace {
 
-// The number of the one of `slots` that is nearest to `tick`; the earlier of two as near.
-std::size_t Nearest(std::span<const Tick> slots, Tick tick) {
-  const auto next = std::upper_bound(slots.begin(), slots.end(), tick);
-  if (next == slots.begin()) return 0;
-  const auto before = static_cast<std::size_t>(next - slots.begin()) - 1;
-  if (next == slots.end()) return before;
-  return *next - tick < tick - slots[before] ? before + 1 : before;
-}
+// A touch-down farther than this from the start of a planned contact was not planned by it: it is
+// the whole step of a quick gait, and no foot is so late.
+constexpr double kFarthestPlan_s = 0.3;
 
 template <typename Items, typename TickOf>
 std::vector<Tick> TicksOf(const Items& items, TickOf tick_of) {
@@ -23,15 +18,17 @@ std::vector<Tick> TicksOf(const Items& items, TickOf tick_of) {
   return ticks;
 }
 
-// `contact` with what the controller planned for it. Its box moves, for it is about the nominal
+// What the controller planned for the record's contact. Its box moves, for it is about the nominal
 // place that the planner had.
-void TakePlan(const PlannedContact& planned, PlannedContact& contact) {
+void TakePlan(const PlannedContact& planned, FootstepRecord& record) {
   const Eigen::Vector3d shift_F =
-      planned.R_WF.transpose() * (planned.nominal_p_WF - contact.nominal_p_WF);
+      planned.R_WF.transpose() * (planned.nominal_p_WF - record.contact.nominal_p_WF);
+  PlannedContact& contact = record.contact;
   contact.R_WF = planned.R_WF;
   contact.adjusted_p_WF = planned.adjusted_p_WF;
   contact.box_lower_m = planned.box_lower_m + shift_F;
   contact.box_upper_m = planned.box_upper_m + shift_F;
+  record.is_planned = true;
 }
 
 void TakeTruth(const TouchDown& touch_down, FootstepRecord& record) {
@@ -51,15 +48,15 @@ class FootJoiner {
   }
 
   void Append(Tick last_tick, std::vector<FootstepRecord>& records) {
-    const std::vector<Tick> starts = StartsOf(contacts_);
+    const std::vector<Tick>& starts = nominal_.starts(foot_);
     const auto landed = PairByTime(starts, TicksOfTouchDowns());
     const auto planned = PairByTime(starts, StartsOf(plan_));
     std::vector<bool> is_met(touch_downs_.size(), false), is_told(plan_.size(), false);
     for (std::size_t at = 0; at < contacts_.size(); ++at) {
       if (planned[at]) is_told[*planned[at]] = true;
       if (contacts_[at].start_tick > last_tick && !landed[at]) continue;
-      FootstepRecord record{static_cast<int>(foot_), contacts_[at], std::nullopt, 0.0};
-      if (planned[at]) TakePlan(plan_[*planned[at]], record.contact);
+      FootstepRecord record = RecordOf(contacts_[at]);
+      if (planned[at]) TakePlan(plan_[*planned[at]], record);
       if (landed[at]) TakeTruth(touch_downs_[*landed[at]], record);
       if (landed[at]) is_met[*landed[at]] = true;
       records.push_back(record);
@@ -77,6 +74,13 @@ class FootJoiner {
     return TicksOf(touch_downs_, [](const TouchDown& touch_down) { return touch_down.tick; });
   }
 
+  FootstepRecord RecordOf(const PlannedContact& contact) const {
+    FootstepRecord record;
+    record.foot = static_cast<int>(foot_);
+    record.contact = contact;
+    return record;
+  }
+
   template <typename Item>
   static void KeepUnpaired(const std::vector<bool>& is_paired, std::vector<Item>& items) {
     std::size_t at = 0;
@@ -86,16 +90,19 @@ class FootJoiner {
   // Steps that the gait does not have, about the place that it has for the foot around then.
   void AppendExtras(std::vector<FootstepRecord>& records) const {
     const auto planned = PairByTime(TicksOfTouchDowns(), StartsOf(plan_));
+    const Tick farthest = TickAt(kFarthestPlan_s, nominal_.tick_s());
     for (std::size_t at = 0; at < touch_downs_.size(); ++at) {
       const TouchDown& touch_down = touch_downs_[at];
-      FootstepRecord record{static_cast<int>(foot_),
-                            contacts_[nominal_.NearestContact(foot_, touch_down.tick)],
-                            std::nullopt, 0.0};
+      const std::size_t nearest = NearestStart(nominal_.starts(foot_), touch_down.tick);
+      FootstepRecord record = RecordOf(contacts_[nearest]);
       record.contact.index = -1;
       record.contact.start_tick = touch_down.tick;
       record.contact.end_tick = touch_down.end_tick;
       record.contact.end_is_known = true;
-      if (planned[at]) TakePlan(plan_[*planned[at]], record.contact);
+      if (planned[at]) {
+        const PlannedContact& plan = plan_[*planned[at]];
+        if (std::abs(plan.start_tick - touch_down.tick) <= farthest) TakePlan(plan, record);
+      }
       TakeTruth(touch_down, record);
       records.push_back(record);
     }
@@ -115,7 +122,7 @@ std::vector<std::optional<std::size_t>> PairByTime(std::span<const Tick> slots,
   std::vector<std::optional<std::size_t>> event_of(slots.size());
   if (slots.empty()) return event_of;
   for (std::size_t event = 0; event < events.size(); ++event) {
-    const std::size_t slot = Nearest(slots, events[event]);
+    const std::size_t slot = NearestStart(slots, events[event]);
     std::optional<std::size_t>& holder = event_of[slot];
     const auto distance = [&](std::size_t at) { return std::abs(events[at] - slots[slot]); };
     if (!holder || distance(event) < distance(*holder)) holder = event;

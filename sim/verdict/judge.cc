@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "sim/verdict/expectations.h"
 #include "sim/verdict/run_meters.h"
@@ -22,16 +23,21 @@ bool IsFinite(const WorldTruth& truth) {
 struct Judge::State {
   std::vector<Reason> FailuresIn(const std::vector<ExpectationResult>& expectations) const;
 
-  Scenario scenario;
+  std::vector<Expectation> expect;
+  double max_slip_m;
   double mass_kg;
   double tick_s;
   RunMeters meters;
   std::vector<Reason> invalid;
 };
 
-Judge::Judge(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints)
-    : state_(new State{
-          scenario, mass_kg, scenario.world.step_s, RunMeters(scenario, mass_kg, joints), {}}) {}
+Judge::Judge(const MeterSetup& setup, std::vector<Expectation> expect)
+    : state_(new State{std::move(expect),
+                       setup.bounds.max_slip_m,
+                       setup.mass_kg,
+                       setup.gait.tick_s,
+                       RunMeters(setup),
+                       {}}) {}
 
 Judge::Judge(const Judge& other) : state_(std::make_unique<State>(*other.state_)) {}
 
@@ -57,8 +63,8 @@ void Judge::Add(Tick tick, const WorldTruth& truth, const ControlTick* control) 
 std::vector<Reason> Judge::State::FailuresIn(
     const std::vector<ExpectationResult>& expectations) const {
   std::vector<Reason> reasons;
-  const bool fall_fails = meters.fall().has_fallen() && !Expects(scenario.expect, "fall");
-  const bool slip_fails = meters.slip_tick() && !Expects(scenario.expect, "slip");
+  const bool fall_fails = meters.fall().has_fallen() && !Expects(expect, "fall");
+  const bool slip_fails = meters.slip_tick() && !Expects(expect, "slip");
   if (fall_fails) {
     reasons.push_back(
         {reason::kFall, meters.fall().cause(), SecondsAt(*meters.fall().fall_tick(), tick_s)});
@@ -66,7 +72,7 @@ std::vector<Reason> Judge::State::FailuresIn(
   if (slip_fails) {
     char text[96];
     std::snprintf(text, sizeof text, "a foot slid by more than %.3g m in one stance (at most %.3g)",
-                  scenario.verdict.max_slip_m, meters.max_slip_m());
+                  max_slip_m, meters.max_slip_m());
     reasons.push_back({reason::kSlip, text, SecondsAt(*meters.slip_tick(), tick_s)});
   }
   if (meters.solver().lost_tick()) {
@@ -89,8 +95,6 @@ void Judge::Invalidate(const std::string& kind, const std::string& text, double 
   state_->invalid.push_back({kind, text, time_s});
 }
 
-bool Judge::has_fallen() const { return state_->meters.fall().has_fallen(); }
-
 bool Judge::finished() const {
   const State& state = *state_;
   if (!state.invalid.empty()) return true;
@@ -108,7 +112,7 @@ RunOutcome Judge::Conclude() const {
   outcome.mass_kg = state.mass_kg;
 
   Verdict& verdict = outcome.verdict;
-  verdict.expectations = CheckExpectations(state.scenario.expect, outcome.metrics);
+  verdict.expectations = CheckExpectations(state.expect, outcome.metrics);
   if (!state.invalid.empty()) {
     verdict.verdict_class = VerdictClass::kInvalid;
     verdict.reasons = state.invalid;

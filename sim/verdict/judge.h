@@ -3,8 +3,8 @@
 // judge: watches every tick of a run and says what it showed.
 //
 // In : WorldTruth every tick, beside the scenario's nominal motion. ControlTick on control ticks,
-// if
-//      the controller tells what it thought: it makes the metrics of the group `controller` and
+// if the controller
+//      tells what it thought: it makes the metrics of the group `controller` and
 //      the SOLVER rule, and no other figure.
 // Out: metrics, footsteps, push impulses and the verdict.
 // Flow: world, controller -> [judge] -> recorder, command line.
@@ -25,6 +25,7 @@
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
 #include "sim/scenario/scenario.h"
+#include "sim/verdict/meter_setup.h"
 #include "sim/verdict/verdict.h"
 #include "sim/world/world.h"
 
@@ -32,8 +33,8 @@ namespace sidestep {
 
 class Judge {
  public:
-  /// @param scenario  Copied. @param mass_kg  Of the plant, > 0. @param joints  Of the plant.
-  Judge(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints = {});
+  /// @param expect  Expectations, in the order in which missed ones are told.
+  Judge(const MeterSetup& setup, std::vector<Expectation> expect);
   /// A judge that has seen what `other` has, and goes on by itself.
   Judge(const Judge& other);
   Judge& operator=(const Judge& other);
@@ -53,8 +54,6 @@ class Judge {
 
   /// True once nothing is left to learn: invalid, or half a second after a fall.
   bool finished() const;
-
-  bool has_fallen() const;
 
   /// Verdict and measures of the ticks so far.
   RunOutcome Conclude() const;

@@ -33,8 +33,8 @@ Nearest NearestOfChord(double x_m, double y_m, const Eigen::Vector2d& a, const E
 
 }  // namespace
 
-PathLine::PathLine(const NominalMotion& nominal, double tick_s)
-    : stride_(std::max<Tick>(1, TickAt(kChord_s, tick_s))) {
+PathLine::PathLine(const NominalMotion& nominal)
+    : stride_(std::max<Tick>(1, TickAt(kChord_s, nominal.tick_s()))) {
   for (Tick tick = 0; points_.size() < 2 || tick <= nominal.end_tick(); tick += stride_) {
     points_.push_back(nominal.ComAt(tick).p_WC.head<2>());
   }

@@ -13,8 +13,8 @@ namespace sidestep {
 class PathLine {
  public:
   /// Samples the nominal CoM every 10 ms: chords over a walk's cycle with 0.1 m of sway are within
-  /// 0.05 mm of it. @param tick_s  Length of a tick.
-  PathLine(const NominalMotion& nominal, double tick_s);
+  /// 0.05 mm of it.
+  explicit PathLine(const NominalMotion& nominal);
 
   /// A point of the line, and when the nominal CoM is there; between ticks.
   struct Point {

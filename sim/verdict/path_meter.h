@@ -6,8 +6,8 @@
 // that the nominal CoM draws on the ground, looked for within one gait cycle before and after where
 // on the line the robot was last. So a robot that is late or early is not charged for its phase, at
 // whatever it has accumulated, and one that stops is as far off the path as where it stopped: its
-// speed says so.
-// All means are over the last gait cycle, or what there is of it.
+// speed says so. Its pace is that of where it is: one that is late still walks where the clock has
+// it stand. All means are over the last gait cycle, or what there is of it.
 
 #include <Eigen/Core>
 #include <limits>
@@ -16,7 +16,6 @@
 #include "controller/types/gait_params.h"
 #include "controller/types/tick.h"
 #include "sim/scenario/nominal_motion.h"
-#include "sim/scenario/scenario.h"
 #include "sim/verdict/path_line.h"
 #include "sim/world/world.h"
 
@@ -35,13 +34,17 @@ struct PathSample {
   double speed_mps{0.0};  ///< Length of the mean velocity.
   /// Length of the mean velocity less the nominal one over the same time.
   double speed_error_mps{0.0};
+  /// Length of the mean velocity less the nominal one where the robot is on the line, whenever the
+  /// gait was to be there; both over the gait cycle of that place.
+  double pace_error_mps{0.0};
 };
 
 class PathMeter {
  public:
-  PathMeter(const Scenario& scenario, const NominalMotion& nominal);
+  /// @param nominal  Of the same gait. @param rate_hz  Of the samples.
+  PathMeter(const NominalMotion& nominal, const AskedGait& asked, double rate_hz);
 
-  /// Whether samples are taken at `tick`: at the scenario's control rate, from tick 0 on.
+  /// Whether samples are taken at `tick`: at the meter's rate, from tick 0 on.
   bool Samples(Tick tick) const { return tick % period_ == 0; }
 
   /// Takes a tick that it samples; these follow each other without a gap.
@@ -60,9 +63,12 @@ class PathMeter {
     Eigen::Vector2d offset_sum_m;  // of all samples up to this one
   };
 
-  std::size_t CycleSamples(Tick tick) const;
+  std::size_t CycleSamples(double tick) const;
   void MeasureOffset(const Eigen::Vector2d& offset_m, std::size_t cycle);
-  void MeasureSpeed(Tick tick, const WorldTruth& truth, std::size_t cycle);
+  void MeasureSpeed(const WorldTruth& truth, std::size_t cycle);
+  void MeasurePace(const WorldTruth& truth);
+  Eigen::Vector2d MeanVelocity_mps(const WorldTruth& truth, std::size_t back) const;
+  Eigen::Vector2d NominalVelocity_mps(double end_tick, std::size_t back) const;
 
   double tick_s_;
   Tick period_;  // between samples
@@ -71,7 +77,7 @@ class PathMeter {
   PathLine line_;
   std::vector<Past> past_;
   double on_line_tick_{0.0};  // when the nominal CoM is where the robot was on the line last
-  PathSample last_{0, kNaN, kNaN, kNaN, kNaN, kNaN};
+  PathSample last_{0, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
   double max_error_m_{kNaN};
 };
 

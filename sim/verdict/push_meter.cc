@@ -15,7 +15,7 @@ constexpr double kUpright_rad = 0.2;
 constexpr double kHold_s = 1.0;
 
 bool IsCalm(const PathSample& sample, double tilt_rad) {
-  const bool goes_on = sample.speed_error_mps < kSpeed_mps || sample.speed_mps < kSpeed_mps;
+  const bool goes_on = sample.pace_error_mps < kSpeed_mps || sample.speed_mps < kSpeed_mps;
   return sample.wander_m < kPath_m && goes_on && tilt_rad < kUpright_rad;
 }
 
@@ -72,12 +72,12 @@ void PushMeter::AddPath(const PathSample& sample) {
   one->figures.recovery_time_s = SecondsAt(*one->calm_since - one->end, tick_s_);
 }
 
-void PushMeter::AddStep(Tick tick, double adjustment_m) {
+void PushMeter::AddStep(Tick tick, std::optional<double> adjustment_m) {
   Disturbance* const one = At(tick);
   if (one == nullptr) return;
   ++one->figures.steps_taken;
   double& largest_m = one->figures.max_step_adjustment_m;
-  largest_m = std::max(largest_m, adjustment_m);
+  if (adjustment_m) largest_m = std::max(largest_m, *adjustment_m);
 }
 
 void PushMeter::AddFall(Tick tick) {

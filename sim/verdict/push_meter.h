@@ -7,8 +7,8 @@
 //   (a) its CoM is within 0.05 m of its nominal path, horizontally, once the drift is taken off:
 //       the mean of its offset from the path over the last gait cycle. One that was moved aside and
 //       walks on there has recovered; how far aside is a figure of its own, `drift_m`.
-//   (b) its mean horizontal velocity over the last gait cycle is within 0.1 m/s of the nominal
-//       one's, or is itself below 0.1 m/s: it goes on, or stands still.
+//   (b) its mean horizontal velocity over the last gait cycle is within 0.1 m/s of the nominal one
+//       where it is on the path, or is itself below 0.1 m/s: it goes on, or stands still.
 //   (c) its base is within 0.2 rad of its attitude at the start (a walk of the iCub sways by 0.17).
 // The second must be over before the next push begins and before the run ends, and the robot must
 // not fall before the next push. The path is a line, not a timetable: see path_meter.h.
@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "controller/types/tick.h"
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/push.h"
 #include "sim/verdict/path_meter.h"
 #include "sim/verdict/verdict.h"
 
@@ -38,8 +38,9 @@ class PushMeter {
   /// Takes a sample of the path, after the tilt of the same tick.
   void AddPath(const PathSample& sample);
 
-  /// Takes a step that came down. @param adjustment_m  See StepLog.
-  void AddStep(Tick tick, double adjustment_m);
+  /// Takes a step that came down. @param adjustment_m  See TouchDown; empty if there is none to
+  /// tell.
+  void AddStep(Tick tick, std::optional<double> adjustment_m);
 
   /// The robot fell. Has a meaning once.
   void AddFall(Tick tick);

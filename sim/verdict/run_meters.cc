@@ -26,25 +26,25 @@ double LargestOrZero(const std::vector<double>& values) {
 
 }  // namespace
 
-RunMeters::RunMeters(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints)
-    : pushes_(scenario.pushes),
-      tick_s_(scenario.world.step_s),
-      slip_bound_m_(scenario.verdict.max_slip_m),
-      nominal_(scenario),
-      fall_(scenario),
-      stances_(scenario.robot.feet.size(),
-               StanceMeter(tick_s_, kLoadedShare * mass_kg * kGravity_mps2)),
+RunMeters::RunMeters(const MeterSetup& setup)
+    : pushes_(setup.pushes),
+      tick_s_(setup.gait.tick_s),
+      slip_bound_m_(setup.bounds.max_slip_m),
+      nominal_(setup.robot, setup.gait),
+      fall_(setup.robot, setup.plant, setup.bounds),
+      stances_(setup.robot.feet.size(),
+               StanceMeter(tick_s_, kLoadedShare * setup.mass_kg * kGravity_mps2)),
       slip_(stances_.size()),
-      sole_(scenario.robot.feet),
-      steps_(scenario.robot.feet, tick_s_),
-      joints_(joints, tick_s_),
+      sole_(setup.robot.feet),
+      steps_(setup.robot.feet, tick_s_),
+      joints_(setup.joints, tick_s_),
       flight_(tick_s_),
-      path_(scenario, nominal_),
-      push_(scenario.pushes, tick_s_),
-      impulse_W_Ns_(scenario.pushes.size(), Eigen::Vector3d::Zero()),
-      solver_(scenario.control.mpc.friction),
+      path_(nominal_, setup.gait, setup.control_rate_hz),
+      push_(setup.pushes, tick_s_),
+      impulse_W_Ns_(setup.pushes.size(), Eigen::Vector3d::Zero()),
+      solver_(setup.plan_friction),
       plan_(stances_.size()) {
-  SIDESTEP_REQUIRE(mass_kg > 0.0, mass_kg);
+  SIDESTEP_REQUIRE(setup.mass_kg > 0.0, setup.mass_kg);
 }
 
 void RunMeters::Add(Tick tick, const WorldTruth& truth, const ControlTick* control) {
@@ -105,7 +105,7 @@ void RunMeters::AddFeet(Tick tick, const WorldTruth& truth) {
   steps_.Add(tick, truth, stances_, stance_slip_m, nominal_);
   for (std::size_t at = before; at < steps_.touch_downs().size(); ++at) {
     const TouchDown& touch_down = steps_.touch_downs()[at];
-    if (touch_down.adjustment_m) push_.AddStep(touch_down.tick, *touch_down.adjustment_m);
+    if (touch_down.is_step) push_.AddStep(touch_down.tick, touch_down.adjustment_m);
   }
 }
 

@@ -13,10 +13,10 @@
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
 #include "sim/scenario/nominal_motion.h"
-#include "sim/scenario/scenario.h"
 #include "sim/verdict/fall_meter.h"
 #include "sim/verdict/flight_meter.h"
 #include "sim/verdict/joint_meter.h"
+#include "sim/verdict/meter_setup.h"
 #include "sim/verdict/path_meter.h"
 #include "sim/verdict/plan_log.h"
 #include "sim/verdict/push_meter.h"
@@ -35,8 +35,7 @@ namespace sidestep {
 /// says nothing of them.
 class RunMeters {
  public:
-  /// @param mass_kg  Of the plant, > 0. @param joints  Of the plant.
-  RunMeters(const Scenario& scenario, double mass_kg, const std::vector<JointInfo>& joints);
+  explicit RunMeters(const MeterSetup& setup);
 
   /// Takes one tick, in order, of a finite truth. @param control  Null between control ticks.
   void Add(Tick tick, const WorldTruth& truth, const ControlTick* control);

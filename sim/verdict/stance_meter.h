@@ -32,10 +32,6 @@ class StanceMeter {
   /// Stances that have begun so far, the one under way included.
   int num_stances() const { return num_stances_; }
 
-  /// First tick of the latest stance, and the last of its ticks on the ground so far.
-  Tick start_tick() const { return start_tick_; }
-  Tick last_contact_tick() const { return last_contact_tick_; }
-
  private:
   double tick_s_;
   double min_load_N_;
@@ -43,8 +39,8 @@ class StanceMeter {
   bool bears_load_{false};
   bool is_settled_{false};
   int num_stances_{0};
-  Tick start_tick_{0};
-  Tick last_contact_tick_{0};
+  Tick start_tick_{0};         // of the latest stance
+  Tick last_contact_tick_{0};  // of its ticks on the ground so far
 };
 
 }  // namespace sidestep

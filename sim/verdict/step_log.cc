@@ -16,6 +16,10 @@ constexpr double kShortestSwing_s = 0.05;
 constexpr double kLowestSwing_m = 0.005;
 constexpr double kShortestStep_m = 0.01;
 
+// A foot that lands within this of a contact's start made that contact. Farther from all, it is of
+// a schedule that is late or early, and may have made the one on its other side.
+constexpr double kOnTime_s = 0.1;
+
 }  // namespace
 
 StepLog::StepLog(const std::vector<FootDescription>& feet, double tick_s) : tick_s_(tick_s) {
@@ -53,19 +57,24 @@ void StepLog::NoteTouchDown(Tick tick, std::size_t i, const FootTruth& truth,
                             const NominalMotion& nominal) {
   Foot& foot = feet_[i];
   const bool is_first = !foot.touch_down;
-  if (!is_first) {
-    const double swing_s = SecondsAt(tick - foot.last_contact_tick, tick_s_);
-    const double moved_m = (truth.p_WF - *foot.stance_p_WF).head<2>().norm();
-    const bool has_swung = foot.apex_m >= kLowestSwing_m || moved_m >= kShortestStep_m;
-    if (swing_s < kShortestSwing_s || !has_swung) return;
-    min_swing_clearance_m_ = std::min(min_swing_clearance_m_, foot.apex_m);
-  }
+  const bool is_step = HasSwung(tick, foot, truth);
+  if (!is_first && !is_step) return;
+  if (!is_first) min_swing_clearance_m_ = std::min(min_swing_clearance_m_, foot.apex_m);
   foot.touch_down = touch_downs_.size();
   TouchDown& latest = touch_downs_.emplace_back();
   latest.foot = i;
+  latest.is_step = is_step;
   latest.tick = tick;
   latest.p_WF = truth.p_WF;
-  if (!is_first) latest.adjustment_m = Adjustment_m(tick, i, truth.p_WF, nominal);
+  if (is_step) latest.adjustment_m = Adjustment_m(tick, i, truth.p_WF, nominal);
+}
+
+// A foot that has not stood yet is taken for one that left the ground at the first tick.
+bool StepLog::HasSwung(Tick tick, const Foot& foot, const FootTruth& truth) const {
+  const double swing_s = SecondsAt(tick - foot.last_contact_tick, tick_s_);
+  const double moved_m = foot.stance_p_WF ? (truth.p_WF - *foot.stance_p_WF).head<2>().norm() : 0.0;
+  return swing_s >= kShortestSwing_s &&
+         (foot.apex_m >= kLowestSwing_m || moved_m >= kShortestStep_m);
 }
 
 std::optional<double> StepLog::Adjustment_m(Tick tick, std::size_t foot,
@@ -74,8 +83,18 @@ std::optional<double> StepLog::Adjustment_m(Tick tick, std::size_t foot,
   const std::optional<Eigen::Vector3d>& from_p_WF =
       feet_.size() == 2 ? feet_[1 - foot].stance_p_WF : feet_[foot].stance_p_WF;
   if (!from_p_WF) return std::nullopt;
-  const Eigen::Vector3d nominal_step = nominal.StepTo(foot, nominal.NearestContact(foot, tick));
-  return (p_WF - *from_p_WF - nominal_step).head<2>().norm();
+  const Eigen::Vector3d step = p_WF - *from_p_WF;
+  const auto off_m = [&](std::size_t contact) {
+    return (step - nominal.StepTo(foot, contact)).head<2>().norm();
+  };
+  const std::size_t nearest = NearestStart(nominal.starts(foot), tick);
+  const Tick late = tick - nominal.starts(foot)[nearest];
+  const Tick on_time = TickAt(kOnTime_s, tick_s_);
+  const bool has_before = nearest > 1;  // number 0 is no step
+  const bool has_next = nearest + 1 < nominal.starts(foot).size();
+  if (late < -on_time && has_before) return std::min(off_m(nearest), off_m(nearest - 1));
+  if (late > on_time && has_next) return std::min(off_m(nearest), off_m(nearest + 1));
+  return off_m(nearest);
 }
 
 std::vector<double> StepLog::AdjustmentsFrom(Tick from) const {

@@ -6,8 +6,12 @@
 // rose by 5 mm or moved by 1 cm horizontally. Less is rocking. The adjustment of a step needs no
 // controller: it is the step that was taken less the nominal one, horizontally. A step goes from
 // where the other foot stands, or stood last, to the touch-down; with a single foot from where that
-// stood last. So a robot that has drifted off its path, or that is late, pays for no step but the
-// one that it takes elsewhere.
+// stood last. So a robot that has drifted off its path pays for no step but the one that it takes
+// elsewhere. The gait's step is that to the foot's contact nearest in time. A touch-down more than
+// 0.1 s from that contact's start may as well have made the contact on its other side, and is
+// compared with the nearer of both steps: a robot whose schedule is late by more than half a stride
+// makes its last whole step when the gait closes its feet, and pays nothing for it. One that is
+// late by whole strides looks as if it were on time, and does.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -26,12 +30,13 @@ namespace sidestep {
 /// A foot that came down to stand.
 struct TouchDown {
   std::size_t foot{0};
+  bool is_step{false};                            ///< It ended a swing; else a stance of the start.
   Tick tick{0};                                   ///< First tick that it bears load.
   Tick end_tick{0};                               ///< First tick after its last contact so far.
   Eigen::Vector3d p_WF{Eigen::Vector3d::Zero()};  ///< At `tick`.
   double slip_m{0.0};  ///< Farthest slide until the foot steps again; see SlipMeter.
-  /// Horizontal length of step taken less nominal step (m); empty for the stance of the start. The
-  /// nominal step is that to the foot's nominal contact nearest in time.
+  /// Horizontal length of step taken less nominal step (m); empty for the stance of the start, and
+  /// where there was no stance to step from.
   std::optional<double> adjustment_m;
 };
 
@@ -47,7 +52,7 @@ class StepLog {
            const std::vector<double>& stance_slip_m, const NominalMotion& nominal);
 
   /// So far, in order of time; those of one tick in the order of feet. The first of each foot is
-  /// the stance of the start.
+  /// the stance of the start, unless the foot began in the air as it would in a swing.
   const std::vector<TouchDown>& touch_downs() const { return touch_downs_; }
 
   /// Adjustments (m) of the steps that came down at or after `from`.
@@ -63,7 +68,7 @@ class StepLog {
   struct Foot {
     FootDescription description;
     int num_stances{0};
-    Tick last_contact_tick{0};                   // of a stance
+    Tick last_contact_tick{0};                   // of a stance; before any, of the first tick
     std::optional<Eigen::Vector3d> stance_p_WF;  // where it bore load last
     std::optional<std::size_t> touch_down;       // its latest
     double apex_m{kLowest_m};                    // since it was last on the ground to stand
@@ -71,6 +76,7 @@ class StepLog {
 
   void NoteTouchDown(Tick tick, std::size_t foot, const FootTruth& truth,
                      const NominalMotion& nominal);
+  bool HasSwung(Tick tick, const Foot& foot, const FootTruth& truth) const;
   std::optional<double> Adjustment_m(Tick tick, std::size_t foot, const Eigen::Vector3d& p_WF,
                                      const NominalMotion& nominal) const;
 

@@ -91,6 +91,7 @@ struct FootstepRecord {
   /// Of the scenario's gait, but for the place, box and yaw that the controller planned for it when
   /// it began. Index -1: a step that the gait does not have.
   PlannedContact contact;
+  bool is_planned{false};  ///< False: it told no plan; the place is the gait's, there is no box.
   std::optional<Eigen::Vector3d> realised_p_WF;  ///< Where the foot came down; empty if it didn't.
   double slip_m{0.0};  ///< Farthest slide until the foot stepped again; see SlipMeter.
 };
@@ -101,7 +102,7 @@ struct PushFigures {
   bool recovered{false};
   double recovery_time_s{std::numeric_limits<double>::infinity()};  ///< From its end; else never.
   double peak_tilt_rad{std::numeric_limits<double>::quiet_NaN()};   ///< From the start's attitude.
-  int steps_taken{0};                                               ///< Touch-downs.
+  int steps_taken{0};                                               ///< Touch-downs of a step.
   double max_step_adjustment_m{0.0};                                ///< Of those, in truth.
   double drift_m{std::numeric_limits<double>::quiet_NaN()};         ///< Off the path, at its end.
 };

@@ -15,6 +15,10 @@ constexpr Tick kAfterFall = 500;  // ticks of 1 ms: half a second, so that a vid
 
 Verdict VerdictOf(const Episode& episode) { return episode.judge.Conclude().verdict; }
 
+bool HasFallen(const Episode& episode) {
+  return std::get<bool>(episode.judge.Conclude().metrics.at("fall"));
+}
+
 TEST(EndOfEpisodeTest, TheLastTickOfTheDurationIsJudgedAndNothingFollowsIt) {
   auto seen = std::make_shared<Frames>();
   Episode episode = StartEpisode(ShortHop(0.05), TorqueBy(NoTorque, seen));
@@ -37,7 +41,7 @@ TEST(EndOfEpisodeTest, TheLastTickOfTheDurationIsJudgedAndNothingFollowsIt) {
 
 TEST(EndOfEpisodeTest, AFallEndsItHalfASecondLater) {
   Episode episode = StartEpisode(FallingHopper(), TorqueBy(NoTorque));
-  while (!episode.judge.has_fallen()) {
+  while (!HasFallen(episode)) {
     ASSERT_FALSE(episode.is_over) << "it was to fall";
     RunEpisode(&episode, {}, episode.tick + 1);
   }
@@ -58,11 +62,11 @@ TEST(EndOfEpisodeTest, AFallEndsItHalfASecondLater) {
 TEST(EndOfEpisodeTest, AFallNearTheEndDoesNotLengthenTheRun) {
   Scenario scenario = FallingHopper();
   Episode first = StartEpisode(scenario, TorqueBy(NoTorque));
-  while (!first.judge.has_fallen() && !first.is_over) RunEpisode(&first, {}, first.tick + 1);
+  while (!HasFallen(first) && !first.is_over) RunEpisode(&first, {}, first.tick + 1);
   scenario.duration_s = first.time_s() + 0.1;
   Episode second = StartEpisode(scenario, TorqueBy(NoTorque));
   RunEpisode(&second, {});
-  EXPECT_TRUE(second.judge.has_fallen());
+  EXPECT_TRUE(HasFallen(second));
   EXPECT_EQ(second.tick, TickAt(scenario.duration_s, 0.001));
 }
 

@@ -77,9 +77,9 @@ TEST_F(RecorderTest, AControllerThatOnlyCommandsLeavesBeliefAndPlanEmpty) {
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   for (const std::string& column : table.header()) {
     const bool is_thought = column.starts_with("belief_") || column.starts_with("reference_") ||
-                            column.starts_with("mpc_p") || column.starts_with("mpc_v") ||
-                            column.starts_with("mpc_f") || column.starts_with("nominal_") ||
-                            column.starts_with("planned_") || column.starts_with("swing_");
+                            column.starts_with("mpc_") || column.starts_with("nominal_") ||
+                            column.starts_with("planned_") || column.starts_with("swing_") ||
+                            column == "wbc_status";
     if (!is_thought) continue;
     EXPECT_EQ(table.Text(0, column), "") << column;
     EXPECT_NE(table.Text(1, column), "") << column;
@@ -148,7 +148,8 @@ TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
   contact.box_lower_m = {-0.1, -0.2, 0.0};
   contact.box_upper_m = {0.3, 0.4, 0.0};
   contact.R_WF = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
-  outcome.footsteps = {{1, contact, Eigen::Vector3d(7.0, 8.0, 9.0), 0.01}, {0, contact, {}, 0.0}};
+  outcome.footsteps = {{1, contact, true, Eigen::Vector3d(7.0, 8.0, 9.0), 0.01},
+                       {0, contact, false, {}, 0.0}};
   recorder.Finish(outcome, 0.004, 0.1);
 
   const std::vector<Footstep> steps = ReadFootsteps(folder_);
@@ -163,6 +164,7 @@ TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
   EXPECT_EQ(steps[0].box_upper_m, Eigen::Vector2d(0.3, 0.4));
   EXPECT_NEAR(steps[0].yaw_rad, 0.3, 1e-15);
   EXPECT_FALSE(steps[1].realised_p_WF.has_value());
+  EXPECT_FALSE(steps[1].box_lower_m.array().isFinite().any()) << "nobody planned one";
 }
 
 TEST_F(RecorderTest, SlidingJointsAreInNewtonsAndMetres) {

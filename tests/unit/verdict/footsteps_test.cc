@@ -119,7 +119,7 @@ TEST(FootstepsTest, ContactThatNeverLandsHasNoPlace) {
 TEST(FootstepsTest, ControllerThatTellsNothingLeavesTheNominalPlaceAndTheTruth) {
   const RunOutcome told = HopWithPushAt({});
   const Scenario scenario = HopScenario();
-  Judge judge(scenario, kTestMass_kg);
+  Judge judge = JudgeOf(scenario);
   for (Tick tick = 0; tick <= 480; ++tick) {
     WorldTruth truth = StandingTruth(scenario);
     ControlTick control = StandingControl(scenario);
@@ -129,6 +129,8 @@ TEST(FootstepsTest, ControllerThatTellsNothingLeavesTheNominalPlaceAndTheTruth) 
   const RunOutcome outcome = judge.Conclude();
   ASSERT_EQ(outcome.footsteps.size(), 3u);
   EXPECT_EQ(outcome.footsteps[1].contact.adjusted_p_WF, outcome.footsteps[1].contact.nominal_p_WF);
+  EXPECT_FALSE(outcome.footsteps[1].is_planned);
+  EXPECT_TRUE(told.footsteps[1].is_planned);
   EXPECT_EQ(outcome.footsteps[1].realised_p_WF, told.footsteps[1].realised_p_WF);
   for (const MetricInfo& info : KnownMetrics()) {
     if (info.group != MetricGroup::kTruth || info.is_bool) continue;
@@ -157,6 +159,51 @@ TEST(FootstepsTest, StepThatTheGaitDoesNotHaveIsTold) {
   EXPECT_EQ(extra.contact.nominal_p_WF.y(), 0.0);
   EXPECT_EQ(extra.realised_p_WF->y(), 0.1);
   EXPECT_EQ(NumberOf(outcome, "max_step_adjustment_m"), 0.1) << "the gait stands on the spot";
+}
+
+// It stands for a second in which its controller plans a contact that begins at tick 500, 3 cm
+// aside; the foot hops at 0.4 s and comes down at `landing`.
+FootstepRecord ExtraLandingAt(Tick landing) {
+  const RunOutcome outcome =
+      OutcomeOf(OneFootScenario(), 1000, [=](Tick tick, WorldTruth& truth, ControlTick& control) {
+        truth.feet[0].in_contact = tick < 400 || tick >= landing;
+        if (!truth.feet[0].in_contact) truth.feet[0].p_WF.z() = 0.06;
+        PlannedContact& contact = control.feet[0].contact;
+        if (tick < 500) return;
+        contact.index = 1;
+        contact.start_tick = 500;
+        contact.adjusted_p_WF.y() = 0.03;
+      });
+  EXPECT_EQ(outcome.footsteps.size(), 2u);
+  return outcome.footsteps.at(1);
+}
+
+TEST(FootstepsTest, AnExtraStepIsNotOfAPlanThatIsFarFromItInTime) {
+  EXPECT_EQ(ExtraLandingAt(560).contact.index, -1);
+  EXPECT_EQ(ExtraLandingAt(560).contact.adjusted_p_WF.y(), 0.03);
+  EXPECT_EQ(ExtraLandingAt(800).contact.adjusted_p_WF.y(), 0.03) << "0.3 s";
+  EXPECT_TRUE(ExtraLandingAt(800).is_planned);
+  EXPECT_EQ(ExtraLandingAt(801).contact.adjusted_p_WF.y(), 0.0);
+  EXPECT_FALSE(ExtraLandingAt(801).is_planned);
+}
+
+TEST(FootstepsTest, ScheduleThatIsLateByMoreThanHalfAStrideGoesOnWithTheNextContact) {
+  // The hops of HopScenario, 120 ticks late: at 320 and 520. The contacts begin at 200 and 400.
+  Scenario scenario = HopScenario();
+  scenario.gait.resize(2);
+  scenario.gait[1].start_s = 0.3;  // it stands from the landing at 400 on
+  const RunOutcome outcome =
+      OutcomeOf(scenario, 700, [](Tick tick, WorldTruth& truth, ControlTick&) {
+        FootTruth& foot = truth.feet[0];
+        foot.in_contact = tick < 220 || (tick >= 320 && tick < 420) || tick >= 520;
+        foot.p_WF.x() = tick < 320 ? 0.0 : tick < 520 ? 0.1 : 0.2;
+        if (!foot.in_contact) foot.p_WF.z() = 0.06;
+      });
+  ASSERT_EQ(outcome.footsteps.size(), 4u);
+  EXPECT_FALSE(outcome.footsteps[1].realised_p_WF) << "the first that it skipped";
+  EXPECT_NEAR(outcome.footsteps[2].realised_p_WF->x(), 0.1, 1e-12) << "beside the one at 400";
+  EXPECT_EQ(outcome.footsteps[3].contact.index, -1) << "none is left";
+  EXPECT_NEAR(NumberOf(outcome, "max_step_adjustment_m"), 0.0, 1e-12);
 }
 
 TEST(FootstepsTest, BoxStaysThePlannersThoughItsNominalPlaceWasAnother) {

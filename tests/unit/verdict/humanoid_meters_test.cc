@@ -185,7 +185,7 @@ TEST(SlipMeterTest, FootThatRollsAboutItsEdgeDoesNotSlip) {
 TEST(HumanoidJudgeTest, TellsSolesJointsBodyAndHeights) {
   Scenario scenario = OneFootScenario();
   scenario.robot.feet[0] = BoxFoot();
-  Judge judge(scenario, kTestMass_kg, ThreeJoints());
+  Judge judge = JudgeOf(scenario, ThreeJoints());
   Watch(judge, scenario, 100, [](Tick tick, WorldTruth& truth, ControlTick&) {
     const double wave = std::sin(std::numbers::pi * static_cast<double>(tick) / 100.0);
     truth.p_WB.z() = 0.6 + 0.05 * wave;

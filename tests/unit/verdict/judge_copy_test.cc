@@ -84,7 +84,7 @@ std::string Difference(const RunOutcome& left, const RunOutcome& right) {
 
 TEST(JudgeCopyTest, CopyAtAnyTickGoesOnLikeTheOneThatWasNeverCopied) {
   const Scenario scenario = PushedWalk();
-  Judge whole(scenario, kTestMass_kg);
+  Judge whole = JudgeOf(scenario);
   for (Tick tick = 0; tick <= kEnd; ++tick) Show(whole, scenario, tick, 0.0);
   const RunOutcome expected = whole.Conclude();
   ASSERT_GT(expected.footsteps.size(), 4u);
@@ -94,7 +94,7 @@ TEST(JudgeCopyTest, CopyAtAnyTickGoesOnLikeTheOneThatWasNeverCopied) {
   std::uniform_int_distribution<Tick> any_tick(1, kEnd - 1);
   for (int trial = 0; trial < 4; ++trial) {
     const Tick at = any_tick(random);
-    Judge judge(scenario, kTestMass_kg);
+    Judge judge = JudgeOf(scenario);
     for (Tick tick = 0; tick < at; ++tick) Show(judge, scenario, tick, 0.0);
     Judge copy(judge);
     // The original goes elsewhere meanwhile, and the copy is none the wiser.
@@ -109,14 +109,14 @@ TEST(JudgeCopyTest, CopyAtAnyTickGoesOnLikeTheOneThatWasNeverCopied) {
 
 TEST(JudgeCopyTest, AssignmentTakesWhatTheOtherHasSeen) {
   const Scenario scenario = PushedWalk();
-  Judge judge(scenario, kTestMass_kg), other(scenario, kTestMass_kg);
+  Judge judge = JudgeOf(scenario), other = JudgeOf(scenario);
   for (Tick tick = 0; tick < 3000; ++tick) Show(judge, scenario, tick, 0.0);
   other = judge;
   judge.Invalidate(reason::kError, "because", 3.0);
   EXPECT_TRUE(judge.finished());
   EXPECT_FALSE(other.finished());
   for (Tick tick = 3000; tick <= kEnd; ++tick) Show(other, scenario, tick, 0.0);
-  Judge whole(scenario, kTestMass_kg);
+  Judge whole = JudgeOf(scenario);
   for (Tick tick = 0; tick <= kEnd; ++tick) Show(whole, scenario, tick, 0.0);
   EXPECT_EQ(Difference(other.Conclude(), whole.Conclude()), "");
 }

@@ -56,10 +56,10 @@ TEST(JudgeTest, MeasuresExactlyTheKnownMetricsWithTheirTypes) {
 
 TEST(JudgeTest, SinkingBelowTheRatioIsAFallAndEndsTheRunHalfASecondLater) {
   const Scenario scenario = OneFootScenario();
-  Judge judge(scenario, kTestMass_kg);
+  Judge judge = JudgeOf(scenario);
   EXPECT_EQ(Watch(judge, scenario, 5000, SinkAfterTick100), 601);
   const RunOutcome outcome = judge.Conclude();
-  EXPECT_TRUE(judge.has_fallen());
+  EXPECT_TRUE(FlagOf(outcome, "fall"));
   EXPECT_EQ(outcome.verdict.verdict_class, VerdictClass::kFail);
   EXPECT_EQ(KindsOf(outcome), Kinds{"FALL"});
   EXPECT_EQ(outcome.verdict.reasons[0].text, "base height 0.290 m is below 0.300 m");
@@ -196,7 +196,7 @@ TEST(JudgeTest, EveryMissedExpectationIsAReason) {
 TEST(JudgeTest, InvalidRunIsNeverAFallNorAPass) {
   const Scenario scenario = OneFootScenario();
   for (const char* kind : {reason::kDiverged, reason::kInterrupted, reason::kError}) {
-    Judge judge(scenario, kTestMass_kg);
+    Judge judge = JudgeOf(scenario);
     Watch(judge, scenario, 150, SinkAfterTick100);
     judge.Invalidate(kind, "because", 0.15);
     EXPECT_TRUE(judge.finished());
@@ -207,7 +207,7 @@ TEST(JudgeTest, InvalidRunIsNeverAFallNorAPass) {
 
 TEST(JudgeTest, StateThatIsNotFiniteIsDivergence) {
   const Scenario scenario = OneFootScenario();
-  Judge judge(scenario, kTestMass_kg);
+  Judge judge = JudgeOf(scenario);
   const Tick last = Watch(judge, scenario, 500, [](Tick tick, WorldTruth& truth, ControlTick&) {
     if (tick == 70) truth.p_WB.x() = std::numeric_limits<double>::quiet_NaN();
   });
@@ -249,7 +249,7 @@ TEST(JudgeTest, SpeedAlongXIsAdvanceOverTime) {
 
 TEST(JudgeTest, TicksMustAscend) {
   const Scenario scenario = OneFootScenario();
-  Judge judge(scenario, kTestMass_kg);
+  Judge judge = JudgeOf(scenario);
   judge.Add(3, StandingTruth(scenario), nullptr);
   EXPECT_THROW(judge.Add(3, StandingTruth(scenario), nullptr), ContractViolation);
 }

@@ -112,7 +112,6 @@ TEST(StanceMeterTest, BeginsWithLoadAndNotWithATouch) {
   EXPECT_FALSE(AfterTicks(Ticks(50, 4.0, true)).stands());
   const StanceMeter stance = AfterTicks(Ticks(50, 4.0, true) + Ticks(1, 6.0, true));
   EXPECT_TRUE(stance.stands());
-  EXPECT_EQ(stance.start_tick(), 50);
   EXPECT_EQ(stance.num_stances(), 1);
   EXPECT_FALSE(AfterTicks(Ticks(50, 50.0, false)).stands()) << "a force without ground";
 }
@@ -122,10 +121,7 @@ TEST(StanceMeterTest, ABounceBelongsToItAndAFlightEndsIt) {
   EXPECT_TRUE(AfterTicks(stood + Ticks(10, 0.0, false)).stands());
   EXPECT_FALSE(AfterTicks(stood + Ticks(11, 0.0, false)).stands());
   EXPECT_EQ(AfterTicks(stood + Ticks(10, 0.0, false) + stood).num_stances(), 1);
-  const StanceMeter second = AfterTicks(stood + Ticks(11, 0.0, false) + stood);
-  EXPECT_EQ(second.num_stances(), 2);
-  EXPECT_EQ(second.start_tick(), 31);
-  EXPECT_EQ(AfterTicks(stood + Ticks(300, 0.0, false)).last_contact_tick(), 19);
+  EXPECT_EQ(AfterTicks(stood + Ticks(11, 0.0, false) + stood).num_stances(), 2);
 }
 
 TEST(StanceMeterTest, GoesOnWithoutLoadWhileTheFootTouches) {
@@ -186,18 +182,19 @@ TEST(TiltTest, IsMeasuredFromTheAttitudeAtTheStart) {
   const Eigen::Quaterniond start = Eigen::AngleAxisd(0.9, Eigen::Vector3d::UnitZ()) *
                                    Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitY()) *
                                    Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX());
-  const Eigen::Vector3d up_B = UprightAxis(scenario);
+  const Eigen::Vector3d up_B = UprightAxis(scenario.robot, scenario.plant);
   EXPECT_NEAR(TiltRad(start, up_B), 0.0, 1e-15);
   const Eigen::AngleAxisd turn(0.4, Eigen::Vector3d::UnitX());
   EXPECT_NEAR(TiltRad(turn * start, up_B), 0.4, 1e-12);
   scenario.plant = Plant::kCentroidal;
-  EXPECT_EQ(UprightAxis(scenario), Eigen::Vector3d::UnitZ()) << "a point mass has no attitude";
+  EXPECT_EQ(UprightAxis(scenario.robot, scenario.plant), Eigen::Vector3d::UnitZ())
+      << "a point mass has no attitude";
 }
 
 TEST(FallMeterTest, BaseThatIsBuiltTiltedHasNotFallen) {
   Scenario scenario;
   scenario.robot.base_rpy_rad.y() = -1.2;
-  FallMeter meter(scenario);
+  FallMeter meter(scenario.robot, scenario.plant, scenario.verdict);
   WorldTruth truth;
   truth.q_WB = Eigen::AngleAxisd(-1.2, Eigen::Vector3d::UnitY());
   meter.Add(0, truth);

@@ -20,9 +20,13 @@ struct Figures {
   double max_error_m;
 };
 
+PathMeter MeterOf(const Scenario& scenario) {
+  return {NominalOf(scenario), AskedGaitOf(scenario), scenario.control.rate_hz};
+}
+
 // 500 Hz for 6 s.
 Figures FiguresOf(const Scenario& scenario, const Motion& motion) {
-  PathMeter meter(scenario, NominalMotion(scenario));
+  PathMeter meter = MeterOf(scenario);
   for (Tick tick = 0; tick <= 6000; tick += 2) {
     WorldTruth truth;
     motion(0.001 * static_cast<double>(tick), truth);
@@ -40,7 +44,7 @@ Scenario WalkScenario() {
 
 // The nominal motion itself, `late_s` late (from the start on it stands), `aside_m` to the left.
 Motion Nominal(const Scenario& scenario, double late_s, double aside_m) {
-  return [nominal = NominalMotion(scenario), late_s, aside_m](double time_s, WorldTruth& truth) {
+  return [nominal = NominalOf(scenario), late_s, aside_m](double time_s, WorldTruth& truth) {
     const ComReference at = nominal.ComAt(TickAt(std::max(0.0, time_s - late_s), 0.001));
     truth.p_WC = at.p_WC + Eigen::Vector3d(0.0, aside_m, 0.0);
     truth.v_WC = at.v_WC;
@@ -110,6 +114,26 @@ TEST(PathMeterTest, RobotThatStopsStaysOnThePathAndItsSpeedTells) {
   EXPECT_NEAR(figures.last.speed_error_mps, 0.125, 1e-3);
 }
 
+TEST(PathMeterTest, PaceIsComparedWhereTheRobotIs) {
+  // Walks until 3.2 s and stands; 1.5 s late it still walks at 4 s, while the clock has it stand.
+  Scenario scenario = WalkScenario();
+  scenario.duration_s = 6.0;
+  scenario.gait.resize(2);
+  scenario.gait[1].type = GaitType::kStand;
+  scenario.gait[1].start_s = 4.0;
+  const double end_s = 6.0;
+  const Figures late = FiguresOf(scenario, Nominal(scenario, 1.5, 0.0));
+  ASSERT_GT(late.last.speed_mps, 0.05) << "at " << end_s << " s";
+  EXPECT_LT(late.last.pace_error_mps, 0.01);
+  EXPECT_GT(late.last.speed_error_mps, 0.05);
+  // At half the speed from the start on, it is not late but slow.
+  const Figures slow = FiguresOf(
+      TwoFeetScenario(), [walk = NominalOf(TwoFeetScenario())](double time_s, WorldTruth& truth) {
+        truth.p_WC = walk.ComAt(TickAt(0.5 * time_s, 0.001)).p_WC;
+      });
+  EXPECT_NEAR(slow.last.pace_error_mps, 0.0625, 2e-3);
+}
+
 TEST(PathMeterTest, RobotThatRunsBeyondThePathsStartIsOffIt) {
   const Scenario scenario = TwoFeetScenario();
   const Figures figures =
@@ -148,7 +172,7 @@ TEST(PathMeterTest, GaitCycleHasEveryFootStepOnce) {
 
 TEST(PathMeterTest, NothingSeenIsNotMeasured) {
   const Scenario scenario = OneFootScenario();
-  const PathMeter meter(scenario, NominalMotion(scenario));
+  const PathMeter meter = MeterOf(scenario);
   EXPECT_TRUE(std::isnan(meter.last().error_m));
   EXPECT_TRUE(std::isnan(meter.last().drift_m));
   EXPECT_TRUE(std::isnan(meter.max_error_m()));
@@ -156,7 +180,7 @@ TEST(PathMeterTest, NothingSeenIsNotMeasured) {
 
 TEST(PathMeterTest, SamplesAtTheControlRateOnly) {
   const Scenario scenario = OneFootScenario();
-  PathMeter meter(scenario, NominalMotion(scenario));
+  PathMeter meter = MeterOf(scenario);
   EXPECT_TRUE(meter.Samples(0));
   EXPECT_FALSE(meter.Samples(1));
   EXPECT_TRUE(meter.Samples(2));
@@ -165,15 +189,15 @@ TEST(PathMeterTest, SamplesAtTheControlRateOnly) {
 
 TEST(PathLineTest, OfPointsAsNearItIsTheOneNearestToNow) {
   Scenario scenario = OneFootScenario();  // stands at the origin
-  const PathLine line(NominalMotion(scenario), 0.001);
+  const PathLine line(NominalOf(scenario));
   EXPECT_NEAR(line.NearestTo({0.1, 0.0}, 500.0, 1000.0, 700).tick, 700.0, 1e-9);
   EXPECT_NEAR(line.NearestTo({0.1, 0.0}, 500.0, 100.0, 5000).tick, 610.0, 10.0) << "within reach";
 }
 
 TEST(PathLineTest, IsHeldAtItsEnds) {
   const Scenario scenario = TwoFeetScenario();
-  const NominalMotion nominal(scenario);
-  const PathLine line(nominal, 0.001);
+  const NominalMotion nominal = NominalOf(scenario);
+  const PathLine line(nominal);
   EXPECT_EQ(line.At(-100.0), Eigen::Vector2d(0.0, 0.0));
   EXPECT_NEAR(line.At(1e9).x(), nominal.ComAt(nominal.end_tick()).p_WC.x(), 2e-3);
   EXPECT_NEAR(line.At(2005.0).x(), nominal.ComAt(2005).p_WC.x(), 1e-5);

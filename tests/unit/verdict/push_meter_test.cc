@@ -50,7 +50,7 @@ RunOutcome RunOf(const Scenario& scenario, double end_s, const ComOf& com) {
 }
 
 ComOf NominalLate(const Scenario& scenario, const std::function<double(double)>& late_s_at) {
-  return [nominal = NominalMotion(scenario), late_s_at](double time_s) {
+  return [nominal = NominalOf(scenario), late_s_at](double time_s) {
     return nominal.ComAt(TickAt(time_s - late_s_at(time_s), 0.001)).p_WC;
   };
 }
@@ -109,6 +109,29 @@ TEST(PushMeterTest, RobotThatGoesOnWithADelayedScheduleIsNotChargedForItsPhase) 
     EXPECT_LT(NumberOf(outcome, "max_path_error_m"), 1e-4) << delay_s;
     EXPECT_LT(NumberOf(outcome, "drift_m"), 1e-4) << delay_s;
   }
+}
+
+TEST(PushMeterTest, LateRobotMayStillWalkWhenTheClockHasItStand) {
+  // 1.5 s late from the start on; the gait stands from 4.8 s on, before a second after the push is
+  // over, and the run ends before the robot does.
+  Scenario scenario = WalkScenario();
+  scenario.gait.resize(2);
+  scenario.gait[1].type = GaitType::kStand;
+  scenario.gait[1].start_s = 4.0;
+  const RunOutcome outcome =
+      RunOf(scenario, 6.0, NominalLate(scenario, [](double) { return 1.5; }));
+  EXPECT_TRUE(FlagOf(outcome, "recovered"));
+  EXPECT_GT(NumberOf(outcome, "final_speed_error_mps"), 0.3) << "by the clock it should stand";
+}
+
+TEST(PushMeterTest, RobotThatWalksOnBeyondTheEndOfItsPathNeverRecovers) {
+  Scenario scenario = WalkScenario();
+  scenario.gait.resize(2);
+  scenario.gait[1].type = GaitType::kStand;
+  scenario.gait[1].start_s = 4.0;
+  const RunOutcome outcome =
+      RunOf(scenario, 9.0, [](double time_s) { return Eigen::Vector3d(0.5 * time_s, 0.0, 0.5); });
+  EXPECT_FALSE(FlagOf(outcome, "recovered"));
 }
 
 TEST(PushMeterTest, RobotThatStandsStillHasRecovered) {
@@ -271,6 +294,23 @@ TEST(PushMeterTest, StepsAndTheirAdjustmentsBelongToThePushBeforeThem) {
   EXPECT_EQ(outcome.pushes[2].figures.steps_taken, 0);
   EXPECT_EQ(outcome.pushes[2].figures.max_step_adjustment_m, 0.0);
   EXPECT_NEAR(NumberOf(outcome, "mean_step_adjustment_m"), 0.07, 1e-12) << "from the first push on";
+}
+
+TEST(PushMeterTest, StepsThatCannotBeComparedCountAsWell) {
+  // Of two feet only the left one ever stands, and hops: it has no other to step from.
+  Scenario scenario = TwoFeetScenario();
+  PushAt(scenario, 0.2, 0.1);
+  const RunOutcome outcome =
+      OutcomeOf(scenario, 2000, [](Tick tick, WorldTruth& truth, ControlTick&) {
+        const auto lift = [](FootTruth& foot) {
+          foot.in_contact = false;
+          foot.p_WF.z() = 0.06;
+        };
+        lift(truth.feet[1]);
+        if (tick % 500 >= 400) lift(truth.feet[0]);
+      });
+  EXPECT_EQ(outcome.pushes[0].figures.steps_taken, 4);
+  EXPECT_EQ(outcome.pushes[0].figures.max_step_adjustment_m, 0.0);
 }
 
 }  // namespace

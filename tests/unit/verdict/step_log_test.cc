@@ -19,7 +19,7 @@ using Motion = std::function<void(Tick, WorldTruth&)>;
 
 /// Feet that stand, changed by `motion`, for ticks 0 to `end`.
 StepLog LogOf(const Scenario& scenario, Tick end, const Motion& motion) {
-  const NominalMotion nominal(scenario);
+  const NominalMotion nominal = NominalOf(scenario);
   const auto& feet = scenario.robot.feet;
   StepLog log(feet, kTick_s);
   std::vector<StanceMeter> stances(feet.size(), StanceMeter(kTick_s, kMinLoad_N));
@@ -98,6 +98,54 @@ TEST(StepLogTest, OneStepAsideIsAdjustedOnceAndOnceMoreOnTheWayBack) {
   EXPECT_NEAR(adjustments_m[4], 0.0, 1e-12);
 }
 
+// Stops walking at the touch-down of 5600: by then the left foot has made its last whole step, at
+// 4000, and closes at 5600.
+Scenario StoppingWalk() {
+  Scenario scenario = TwoFeetScenario();
+  scenario.gait.resize(2);
+  scenario.gait[1].type = GaitType::kStand;
+  scenario.gait[1].start_s = 4.8;
+  return scenario;
+}
+
+TEST(StepLogTest, TheLastStepsOfALateRobotAreComparedWithTheGaitsLastSteps) {
+  const Scenario scenario = StoppingWalk();
+  const NominalMotion nominal = NominalOf(scenario);
+  const Eigen::Vector3d closing = nominal.StepTo(0, nominal.contacts(0).size() - 1);
+  ASSERT_GT((closing - nominal.StepTo(0, nominal.contacts(0).size() - 2)).norm(), 0.05)
+      << "the gait's last step is another one than those before";
+  // The gait's own steps, each foot set down where it wants it, but 1 s late: more than half a
+  // stride.
+  for (const Tick late : {0, 1000}) {
+    const StepLog log = LogOf(scenario, 9000, [&](Tick tick, WorldTruth& truth) {
+      for (std::size_t foot = 0; foot < 2; ++foot) {
+        for (const PlannedContact& contact : nominal.contacts(foot)) {
+          const Tick start = contact.start_tick + (contact.index == 0 ? 0 : late);
+          if (tick >= start) truth.feet[foot].p_WF = contact.nominal_p_WF;
+          if (tick < start && tick >= start - 600) Lift(truth.feet[foot], 0.04);
+        }
+      }
+    });
+    ASSERT_GE(AdjustmentsOf(log).size(), 6u);
+    for (const double adjustment_m : AdjustmentsOf(log)) EXPECT_NEAR(adjustment_m, 0.0, 1e-12);
+  }
+}
+
+TEST(StepLogTest, AFootThatBeginsInTheAirHasStepped) {
+  // The right foot comes down at 500; the left one hops on before, with nowhere to step from.
+  const StepLog log = LogOf(TwoFeetScenario(), 1000, [](Tick tick, WorldTruth& truth) {
+    if (tick < 500) Lift(truth.feet[1], 0.04);
+    if (tick >= 100 && tick < 250) Lift(truth.feet[0], 0.04);
+  });
+  ASSERT_EQ(log.touch_downs().size(), 3u);
+  EXPECT_FALSE(log.touch_downs()[0].is_step) << "it stood there";
+  EXPECT_TRUE(log.touch_downs()[1].is_step);
+  EXPECT_FALSE(log.touch_downs()[1].adjustment_m) << "the other foot has not stood yet";
+  EXPECT_TRUE(log.touch_downs()[2].is_step);
+  EXPECT_TRUE(log.touch_downs()[2].adjustment_m);
+  EXPECT_NEAR(log.min_swing_clearance_m(), 0.04, 1e-12);
+}
+
 TEST(StepLogTest, AStepGoesFromWhereTheOtherFootStoodLast) {
   // The right foot slides 3 cm forwards under load before the left one lands at 800.
   const Motion walk = Walk(0, 0.0, 0.0);
@@ -138,7 +186,7 @@ TEST(StepLogTest, LowSwingThatGoesSomewhereSetsTheClearance) {
 TEST(StepLogTest, TruthOfAnotherRobotBreaksTheContract) {
   const Scenario scenario = OneFootScenario();
   StepLog log(scenario.robot.feet, kTick_s);
-  EXPECT_THROW(log.Add(0, StandingTruth(TwoFeetScenario()), {}, {}, NominalMotion(scenario)),
+  EXPECT_THROW(log.Add(0, StandingTruth(TwoFeetScenario()), {}, {}, NominalOf(scenario)),
                ContractViolation);
 }
 

@@ -73,6 +73,15 @@ inline Scenario TwoFeetScenario() {
   return scenario;
 }
 
+/// What is asked of its robot.
+inline NominalMotion NominalOf(const Scenario& scenario) {
+  return {scenario.robot, AskedGaitOf(scenario)};
+}
+
+inline Judge JudgeOf(const Scenario& scenario, const std::vector<JointInfo>& joints = {}) {
+  return {MeterSetupOf(scenario, kTestMass_kg, joints), scenario.expect};
+}
+
 /// Changes what is true and thought at a tick.
 using Script = std::function<void(Tick, WorldTruth&, ControlTick&)>;
 
@@ -93,7 +102,7 @@ inline Tick Watch(Judge& judge, const Scenario& scenario, Tick end, const Script
 
 /// The whole of it.
 inline RunOutcome OutcomeOf(const Scenario& scenario, Tick end, const Script& script) {
-  Judge judge(scenario, kTestMass_kg);
+  Judge judge = JudgeOf(scenario);
   Watch(judge, scenario, end, script);
   return judge.Conclude();
 }
