@@ -198,7 +198,7 @@ struct ProcessFolder {
 
 std::filesystem::path FreshTestDir(const std::string& name) {
   static const ProcessFolder folder;
-  const std::filesystem::path dir = folder.path / name;
+  std::filesystem::path dir = folder.path / name;
   std::filesystem::remove_all(dir);
   std::filesystem::create_directories(dir);
   return dir;

@@ -19,9 +19,10 @@ namespace sidestep {
 inline std::string BitsOf(const WorldTruth& truth) {
   std::string bits;
   const auto append = [&bits](const auto& values) {
-    const Eigen::VectorXd numbers = values;
-    bits.append(reinterpret_cast<const char*>(numbers.data()),
-                static_cast<std::size_t>(numbers.size()) * sizeof(double));
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      const double number = values[i];
+      bits.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
   };
   append(truth.qpos);
   append(truth.v_WB);
@@ -86,7 +87,7 @@ inline ControllerFactory TorqueBy(TorqueController::Law law, std::shared_ptr<Fra
 
 /// The hopper with its noisy sensors, for `duration_s`: 1 ms ticks, control at 500 Hz; no pushes,
 /// and no expectations, which are of a longer run.
-inline Scenario ShortHop(double duration_s, std::vector<std::string> overrides = {}) {
+inline Scenario ShortHop(double duration_s, const std::vector<std::string>& overrides = {}) {
   Scenario scenario = HoppingHopper(overrides);
   scenario.duration_s = duration_s;
   scenario.pushes.clear();

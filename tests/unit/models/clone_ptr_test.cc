@@ -39,7 +39,8 @@ class ClonePtrTest : public testing::Test {
 
 TEST_F(ClonePtrTest, ACopyOwnsACloneOfTheSameKindAndNeitherSeesTheOthersChanges) {
   Owner original = WheelOf(3);
-  const Owner copy = original;
+  Owner copy;
+  copy = original;
   EXPECT_EQ(Part::alive, 2);
   EXPECT_NE(copy.get(), original.get());
   EXPECT_NE(dynamic_cast<Wheel*>(copy.get()), nullptr) << "not cut down to its interface";

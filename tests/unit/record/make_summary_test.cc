@@ -101,7 +101,7 @@ TEST(MakeSummaryTest, WholeBodyTimesStandBesideTheMpcs) {
   facts.whole_body_ms = {1.0, 2.0, 6.0};
   const nlohmann::json summary = Summary({}, facts);
   EXPECT_EQ(summary.at("solve_time_ms").at("mean"), 40.0);
-  const nlohmann::json times = summary.at("whole_body_time_ms");
+  const nlohmann::json& times = summary.at("whole_body_time_ms");
   EXPECT_EQ(times.at("mean"), 3.0);
   EXPECT_EQ(times.at("p50"), 2.0);
   EXPECT_EQ(times.at("p99"), 6.0);
