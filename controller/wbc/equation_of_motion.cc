@@ -3,25 +3,24 @@
 
 namespace sidestep::wbc {
 
-BaseVector OnBase(const Wrench& wrench_C, const RobotState& state, const BaseJoints& base) {
+BaseForce OnBase(const Wrench& wrench_C, const RobotState& state) {
   const Eigen::Vector3d torque_B_W =
       wrench_C.torque_Nm + (state.p_WC - state.p_WB).cross(wrench_C.force_N);
-  Vector6 spatial;
-  spatial << wrench_C.force_N, state.q_WB.conjugate() * torque_B_W;  // nu has w_WB in B
-  BaseVector external(base.num_velocities());
-  Eigen::Index row = 0;
-  for (const int axis : base.axes()) external[row++] = spatial[axis];
+  BaseForce external;
+  external << wrench_C.force_N, state.q_WB.conjugate() * torque_B_W;  // nu has w_WB in B
   return external;
 }
 
-void AddBaseRows(const RigidBody& body, const ContactForces& forces, const BaseVector& external,
+void AddBaseRows(const RigidBody& body, const ContactForces& forces, const BaseForce& external,
                  QpBuilder* qp) {
   const Eigen::Index nv = body.num_velocities();
   const Eigen::Index nb = body.num_base_velocities();
   EqualityRows rows = qp->AddEqualities(nb);
   rows.A.leftCols(nv) = body.mass_matrix().topRows(nb);
   rows.A.middleCols(nv, forces.size()) = -forces.jacobian().leftCols(nb).transpose();
-  rows.b = external - body.bias().head(nb);
+  rows.b = -body.bias().head(nb);
+  Eigen::Index row = 0;
+  for (const int axis : body.base().axes()) rows.b[row++] += external[axis];
 }
 
 void AddTorqueLimits(const RigidBody& body, const ContactForces& forces, QpBuilder* qp) {

@@ -3,8 +3,8 @@
 // equation_of_motion: M nudot + h = S^T tau + sum J_V^T f_V + e, over x = [nudot; f].
 //
 // Its rows of the base, where no motor acts, are constraints: six, or three of a base that moves in
-// a plane (RigidBody::num_base_velocities()). The rows of the joints tell the
-// torques, tau = (M nudot + h - sum J_V^T f_V) there.
+// a plane (RigidBody::num_base_velocities()). The rows of the joints tell the torques,
+// tau = (M nudot + h - sum J_V^T f_V) there.
 
 #include <Eigen/Core>
 
@@ -14,15 +14,15 @@
 
 namespace sidestep::wbc {
 
-/// Of a base's rows: as many as it has velocities, at most six. Takes no memory.
-using BaseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+/// [force (N, in W); torque (N m, in B)]: of its entries the base's freedoms pick theirs.
+using BaseForce = Eigen::Matrix<double, 6, 1>;
 
 /// The generalised force e of an external wrench about C, in W, as if it acted on the base: where
 /// it does is not known, and on the base's rows it makes no difference.
-BaseVector OnBase(const Wrench& wrench_C, const RobotState& state, const BaseJoints& base);
+BaseForce OnBase(const Wrench& wrench_C, const RobotState& state);
 
 /// The base's rows, exact; `external` is e.
-void AddBaseRows(const RigidBody& body, const ContactForces& forces, const BaseVector& external,
+void AddBaseRows(const RigidBody& body, const ContactForces& forces, const BaseForce& external,
                  QpBuilder* qp);
 
 /// |tau| <= limit, a row an actuator.

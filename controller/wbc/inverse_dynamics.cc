@@ -77,7 +77,7 @@ WbcReport InverseDynamics::Solve(const RobotState& state, const RigidBody& body,
 // The list of tasks, and what they must not break.
 void InverseDynamics::Build(const RobotState& state, const RigidBody& body, const ComTarget& com,
                             const std::vector<FootTarget>& feet) {
-  const BaseVector external = OnBase(state.external_wrench, state, body.base());
+  const BaseForce external = OnBase(state.external_wrench, state);
   const double weight_N = body.mass_kg() * body.gravity_mps2().norm();
   forces_.Update(state, body, feet);
   limits_.Update(state, body, external);
@@ -145,8 +145,7 @@ void InverseDynamics::AddTrunk(const RobotState& state, const RigidBody& body,
 }
 
 void InverseDynamics::AddPosture(const RobotState& state, const RigidBody& body) {
-  for (Eigen::Index i = 0; i < body.num_base_velocities(); ++i)
-    qp_.AddDiagonal(i, 0.0, kBaseWeight);
+  for (int i = 0; i < body.num_base_velocities(); ++i) qp_.AddDiagonal(i, 0.0, kBaseWeight);
   for (std::size_t i = 0; i < posture_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const double wanted =

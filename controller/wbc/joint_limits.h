@@ -17,7 +17,6 @@
 #include "controller/types/robot_state.h"
 #include "controller/wbc/equation_of_motion.h"
 #include "controller/wbc/qp_builder.h"
-#include "models/robot_description/robot_description.h"
 
 namespace sidestep::wbc {
 
@@ -28,7 +27,7 @@ class JointLimits {
 
   /// Makes the bounds for `body` at `state`. `external` is what acts on the base beside
   /// gravity and feet (equation_of_motion.h). Does not allocate.
-  void Update(const RobotState& state, const RigidBody& body, const BaseVector& external);
+  void Update(const RobotState& state, const RigidBody& body, const BaseForce& external);
 
   /// Bounds of each actuator's joint (rad/s^2, m/s^2); infinite where nothing limits it.
   const Eigen::VectorXd& lower() const { return lower_; }
@@ -41,11 +40,13 @@ class JointLimits {
   void AddTo(const RigidBody& body, QpBuilder* qp) const;
 
  private:
-  void GiveWay(const RigidBody& body, const BaseVector& external);
+  void GiveWay(const RigidBody& body, const BaseForce& external);
+  /// Writes the motors' torques, cut to their limits; false if they were beyond them.
+  bool FindTorques(const RigidBody& body);
 
   Eigen::VectorXd speed_limit_, lower_, upper_;  // one an actuator
-  Eigen::VectorXd nudot_, generalised_;          // nv
-  Eigen::LLT<Eigen::MatrixXd> mass_;
+  Eigen::VectorXd nudot_, acting_, torque_;      // nv
+  Eigen::LLT<Eigen::MatrixXd> mass_, base_mass_;
 };
 
 }  // namespace sidestep::wbc

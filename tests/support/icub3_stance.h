@@ -36,7 +36,7 @@ struct IcubStance {
   std::vector<FootTarget> Feet() const {
     std::vector<FootTarget> targets(2);
     for (std::size_t i = 0; i < 2; ++i) {
-      targets[i].planned_contact = true;
+      targets[i].planned_contact = targets[i].supports = true;
       targets[i].p_WF = state.feet[i].p_WF;
       targets[i].contact.adjusted_p_WF = state.feet[i].p_WF;
       targets[i].vertex_force_N.setZero(3, robot.feet[i].vertices_m.cols());
@@ -46,7 +46,7 @@ struct IcubStance {
 
   /// The foot swings: neither meant to stand nor felt to.
   void Lift(std::size_t foot) {
-    feet[foot].planned_contact = false;
+    feet[foot].planned_contact = feet[foot].supports = false;
     state.feet[foot].in_contact = false;
   }
 

@@ -32,7 +32,7 @@ class WildTargets {
       foot.in_contact = i != swinging || numbers_.Uniform(0.0, 1.0) < 0.2;
       foot.wrench = {Random(100.0) + Eigen::Vector3d(0.0, 0.0, 250.0), Random(20.0)};
       FootTarget& target = stance_->feet[at];
-      target.planned_contact = i != swinging;
+      target.planned_contact = target.supports = i != swinging;
       target.p_WF = home_feet_[at].p_WF + Random(0.3 * scale);
       target.v_WF = Random(2.0 * scale);
       target.contact.R_WF = Turn(0.3 * scale).toRotationMatrix();

@@ -39,8 +39,7 @@ class ClonePtrTest : public testing::Test {
 
 TEST_F(ClonePtrTest, ACopyOwnsACloneOfTheSameKindAndNeitherSeesTheOthersChanges) {
   Owner original = WheelOf(3);
-  Owner copy;
-  copy = original;
+  const Owner copy = original;  // NOLINT(performance-unnecessary-copy-initialization)
   EXPECT_EQ(Part::alive, 2);
   EXPECT_NE(copy.get(), original.get());
   EXPECT_NE(dynamic_cast<Wheel*>(copy.get()), nullptr) << "not cut down to its interface";

@@ -38,7 +38,7 @@ class InverseDynamicsLimitsTest : public testing::Test {
     for (int i = 0; i < 2; ++i) {
       const auto at = static_cast<std::size_t>(i);
       FootTarget& foot = stance_.feet[at];
-      foot.planned_contact = i != swinging && swinging != 3;
+      foot.planned_contact = foot.supports = i != swinging && swinging != 3;
       state.feet[at].in_contact = numbers_.Uniform(0.0, 1.0) < 0.8;
       foot.p_WF = state.feet[at].p_WF + Random(0.5 * wildness);
       foot.contact.R_WF = Turn(wildness).toRotationMatrix();

@@ -69,7 +69,7 @@ class InverseDynamicsTest : public testing::Test {
   void Stand() {
     com_ = {state_.p_WC, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     feet_.assign(1, {});
-    feet_[0].planned_contact = true;
+    feet_[0].planned_contact = feet_[0].supports = true;
     feet_[0].p_WF = state_.feet[0].p_WF;
     feet_[0].vertex_force_N = Eigen::Vector3d(0.0, 0.0, kWeight_N);
   }
@@ -77,7 +77,7 @@ class InverseDynamicsTest : public testing::Test {
   /// Targets of a foot in the air that stays where it is.
   void Fly() {
     state_.feet[0].in_contact = false;
-    feet_[0].planned_contact = false;
+    feet_[0].planned_contact = feet_[0].supports = false;
     feet_[0].p_WF = state_.feet[0].p_WF;
     feet_[0].v_WF = state_.feet[0].v_WF;
     feet_[0].vertex_force_N.setZero();

@@ -69,6 +69,7 @@ TEST_P(WholeBodyCopyTest, InverseDynamicsAndItsCloneGiveTheSameTorques) {
     body.Update(state);
     body.FillDerived(&state);
     state.feet[0].in_contact = feet[0].planned_contact = numbers.Integer(0, 1) == 1;
+    feet[0].supports = feet[0].planned_contact;
     feet[0].p_WF = state.feet[0].p_WF + 0.01 * numbers.NormalMatrix(3, 1);
     feet[0].vertex_force_N = Eigen::Vector3d(0.0, 0.0, 9.81);
   };
