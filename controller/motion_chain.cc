@@ -82,12 +82,12 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
 }
 
 void MotionChain::SampleReferences(const Eigen::Vector3d& momentum, Tick tick) {
-  const Tick step = TickAt(params_.step_s, tick_s_);
+  const mpc::KnotGrid grid = mpc_.GridAt(planner_.plan(), tick);
   for (int k = 0; k <= params_.knots; ++k) {
-    references_.p_WC.col(k) = planner_.ReferenceAt(tick + k * step).p_WC;
+    references_.p_WC.col(k) = planner_.ReferenceAt(grid.TickOf(k)).p_WC;
+    references_.angular_momentum.col(k) =
+        MomentumReference(momentum, params_.attitude_rate_radps, grid.StepsTo(k) * params_.step_s);
   }
-  FillMomentumReference(momentum, params_.attitude_rate_radps, params_.step_s,
-                        &references_.angular_momentum);
 }
 
 const std::vector<FootTarget>& MotionChain::TargetFeet(const RobotState& state, Tick tick,

@@ -10,7 +10,6 @@ namespace sidestep::mpc {
 
 CentroidalMpc::CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s)
     : tick_s_(tick_s),
-      step_ticks_(TickAt(params.step_s, tick_s)),
       latency_ticks_(TickAt(params.latency_s, tick_s)),
       builder_(params, robot, tick_s),
       solver_(MakeSolver(params.backend, {params.tolerance, params.max_iterations})) {}
@@ -20,7 +19,7 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
   builder_.Build(state, plan, references, tick);
   CentroidalOcp& ocp = builder_.ocp();
   SetPreviousForces(&ocp, tick);
-  const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp, tick));
+  const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp));
   report_ = {true,
              solution.status,
              solution.iterations,
@@ -28,34 +27,33 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
              solution.constraint_violation,
              solution.kkt_error,
              !IsUsable(solution.status)};
-  if (IsUsable(solution.status)) StorePlan(ocp, solution, tick);
+  if (IsUsable(solution.status)) StorePlan(ocp, solution);
 }
 
 bool CentroidalMpc::Activate(Tick tick) {
   const std::size_t before = active_;
   while (!waiting_.empty()) {
     // The very first plan is taken at once: there is nothing to go on with until it comes of age.
-    if (has_plan() && tick < plans_[waiting_.front()].tick + latency_ticks_) break;
+    if (has_plan() && tick < plans_[waiting_.front()].grid.start() + latency_ticks_) break;
     active_ = waiting_.front();
     waiting_.erase(waiting_.begin());
   }
   return active_ != before;
 }
 
-int CentroidalMpc::KnotAt(const Plan& plan, Tick tick) const {
-  const Tick knot = (tick - plan.tick) / step_ticks_;
-  return static_cast<int>(std::min<Tick>(knot, plan.ocp.knots - 1));
+int CentroidalMpc::InputAt(const Plan& plan, Tick tick) {
+  return std::min(plan.grid.KnotAt(tick), plan.ocp.knots - 1);
 }
 
 ComTarget CentroidalMpc::ComAt(Tick tick) const {
   const Plan& plan = Active();
   const MpcSolution& solution = plan.solution;
-  const int k = KnotAt(plan, tick);
-  const double within_s = SecondsAt(tick - plan.tick - k * step_ticks_, tick_s_);
+  const int k = InputAt(plan, tick);
+  const double within_s = SecondsAt(tick - plan.grid.TickOf(k), tick_s_);
   const double mass_kg = plan.ocp.mass_kg;
   ComTarget target;
   target.a_WC = (solution.linear_momentum.col(k + 1) - solution.linear_momentum.col(k)) /
-                (mass_kg * plan.ocp.step_s);
+                (mass_kg * plan.ocp.StepAt(k));
   const Eigen::Vector3d v_WC = solution.linear_momentum.col(k) / mass_kg;
   target.v_WC = v_WC + within_s * target.a_WC;
   target.p_WC = solution.p_WC.col(k) + within_s * v_WC + 0.5 * within_s * within_s * target.a_WC;
@@ -66,19 +64,19 @@ ComTarget CentroidalMpc::ComAt(Tick tick) const {
 }
 
 const Eigen::Matrix3Xd& CentroidalMpc::ForceAt(std::size_t foot, Tick tick) const {
-  const auto k = static_cast<std::size_t>(KnotAt(Active(), tick));
+  const auto k = static_cast<std::size_t>(InputAt(Active(), tick));
   return Active().solution.contacts[foot].force_N[k];
 }
 
 double CentroidalMpc::Age_s(Tick tick) const {
-  return has_plan() ? SecondsAt(tick - Active().tick, tick_s_) : 0.0;
+  return has_plan() ? SecondsAt(tick - Active().grid.start(), tick_s_) : 0.0;
 }
 
-const MpcSolution* CentroidalMpc::WarmStart(const CentroidalOcp& ocp, Tick tick) {
+// Knot 1 counts, for that is where the grids agree: knot 0 is in the midst of an input.
+const MpcSolution* CentroidalMpc::WarmStart(const CentroidalOcp& ocp) {
   if (newest_ == kNone) return nullptr;
   const Plan& newest = plans_[newest_];
-  const Tick elapsed = tick - newest.tick;
-  const int shift = static_cast<int>((2 * elapsed + step_ticks_) / (2 * step_ticks_));
+  const int shift = std::max(0, newest.grid.NearestKnot(builder_.grid().TickOf(1)) - 1);
   if (shift >= ocp.knots) return nullptr;  // nothing of the old horizon is left
   ShiftedGuess(newest.ocp, newest.solution, shift, ocp, &guess_);
   return &guess_;
@@ -87,10 +85,10 @@ const MpcSolution* CentroidalMpc::WarmStart(const CentroidalOcp& ocp, Tick tick)
 // A foot that stands and stood when the plan in use was made has a force to change smoothly from.
 void CentroidalMpc::SetPreviousForces(CentroidalOcp* ocp, Tick tick) const {
   if (!has_plan()) return;
-  const Tick before = std::max(tick - 1, Active().tick);
+  const Tick before = std::max(tick - 1, Active().grid.start());
   for (std::size_t foot = 0; foot < ocp->contacts.size(); ++foot) {
     OcpContact& contact = ocp->contacts[foot];
-    const int k = KnotAt(Active(), before);
+    const int k = InputAt(Active(), before);
     contact.has_previous_force =
         ActivePhase(contact, 0) >= 0 && ActivePhase(Active().ocp.contacts[foot], k) >= 0;
     if (contact.has_previous_force) contact.previous_force_N = ForceAt(foot, before);
@@ -106,10 +104,10 @@ std::size_t CentroidalMpc::FreeSlot() {
   return plans_.size() - 1;
 }
 
-void CentroidalMpc::StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick) {
+void CentroidalMpc::StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution) {
   const std::size_t slot = FreeSlot();
   Plan& plan = plans_[slot];
-  plan.tick = tick;
+  plan.grid = builder_.grid();
   plan.ocp = ocp;
   plan.solution = solution;
   plan.footholds.clear();

@@ -18,6 +18,9 @@ class CentroidalMpc {
  public:
   CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s);
 
+  /// The knots of a solve at `tick` for `plan`: where its references belong.
+  KnotGrid GridAt(const ContactPlan& plan, Tick tick) const { return builder_.GridAt(plan, tick); }
+
   /// Solves at `tick` from the belief. A failed solve leaves the plan in use as it is: read later
   /// in its own time, that is the shifted previous solution.
   void Solve(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
@@ -52,7 +55,7 @@ class CentroidalMpc {
  private:
   /// A solution with the problem and the instant it belongs to.
   struct Plan {
-    Tick tick{0};  ///< Knot 0: the measurement's instant.
+    KnotGrid grid;  ///< Knot 0 is the measurement's instant.
     CentroidalOcp ocp;
     MpcSolution solution;  ///< Usable: others are not kept.
     std::vector<Foothold> footholds;
@@ -60,20 +63,20 @@ class CentroidalMpc {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  /// Knot of `plan` that is on at `tick`, the last one once the plan has run out.
-  int KnotAt(const Plan& plan, Tick tick) const;
-  /// The newest usable solution shifted to `tick` by whole knots; null if nothing of it is left.
-  const MpcSolution* WarmStart(const CentroidalOcp& ocp, Tick tick);
+  /// Input of `plan` that is on at `tick`, the last one once the plan has run out.
+  static int InputAt(const Plan& plan, Tick tick);
+  /// The newest usable solution shifted by whole knots to those of the last problem, `ocp`; null if
+  /// nothing of it is left.
+  const MpcSolution* WarmStart(const CentroidalOcp& ocp);
   /// The plan's forces just before `tick`, for feet that stood then and stand now: the rate into
   /// the first knot is charged too.
   void SetPreviousForces(CentroidalOcp* ocp, Tick tick) const;
-  void StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution, Tick tick);
+  void StorePlan(const CentroidalOcp& ocp, const MpcSolution& solution);
   /// A plan that is neither in use, waiting nor the next warm start; makes one if there is none.
   std::size_t FreeSlot();
   const Plan& Active() const { return plans_[active_]; }
 
   double tick_s_;
-  Tick step_ticks_;
   Tick latency_ticks_;
   ProblemBuilder builder_;
   ClonePtr<CentroidalSolver> solver_;

@@ -6,19 +6,9 @@
 #include "controller/types/friction_pyramid.h"
 
 namespace sidestep::mpc {
-namespace {
-
-// Knot nearest to a tick offset, which may be negative.
-int NearestKnot(Tick offset, Tick step_ticks) {
-  const Tick doubled = 2 * offset + step_ticks;
-  return static_cast<int>(doubled >= 0 ? doubled / (2 * step_ticks)
-                                       : -((-doubled + 2 * step_ticks - 1) / (2 * step_ticks)));
-}
-
-}  // namespace
 
 ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot, double tick_s)
-    : params_(params), step_ticks_(TickAt(params.step_s, tick_s)) {
+    : params_(params), tick_s_(tick_s), step_ticks_(TickAt(params.step_s, tick_s)) {
   const int knots = params.knots;
   ocp_.step_s = params.step_s;
   ocp_.knots = knots;
@@ -44,6 +34,10 @@ ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot,
 
 const CentroidalOcp& ProblemBuilder::Build(const RobotState& state, const ContactPlan& plan,
                                            const GridReferences& references, Tick tick) {
+  grid_ = GridAt(plan, tick);
+  // A first knot of T is none of its own: in seconds it might differ from T by rounding.
+  ocp_.first_step_s.reset();
+  if (grid_.StepAt(0) < step_ticks_) ocp_.first_step_s = SecondsAt(grid_.StepAt(0), tick_s_);
   ocp_.initial_p_WC = state.p_WC;
   ocp_.initial_linear_momentum = ocp_.mass_kg * state.v_WC;
   ocp_.initial_angular_momentum = state.angular_momentum;
@@ -52,24 +46,22 @@ const CentroidalOcp& ProblemBuilder::Build(const RobotState& state, const Contac
   FillExternalWrench(state.external_wrench);
   for (std::size_t foot = 0; foot < plan.feet.size(); ++foot) {
     ocp_.contacts[foot].has_previous_force = false;
-    FillPhases(foot, plan.feet[foot], tick);
+    FillPhases(foot, plan.feet[foot]);
   }
   return ocp_;
 }
 
-void ProblemBuilder::FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned,
-                                Tick tick) {
+void ProblemBuilder::FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned) {
   auto& phases = ocp_.contacts[foot].phases;
   phases.clear();
   planned_[foot].clear();
+  const Tick last_tick = grid_.TickOf(params_.knots + 1);
   for (const PlannedContact& contact : planned) {
-    const bool begun = contact.start_tick <= tick;
-    const Tick last_tick = tick + (params_.knots + 1) * step_ticks_;
     ContactPhase phase;
-    phase.first_knot = std::max(0, NearestKnot(contact.start_tick - tick, step_ticks_));
-    phase.end_knot = NearestKnot(std::min(contact.end_tick, last_tick) - tick, step_ticks_);
+    phase.first_knot = grid_.NearestKnot(std::min(contact.start_tick, last_tick));
+    phase.end_knot = grid_.NearestKnot(std::min(contact.end_tick, last_tick));
     if (phase.end_knot <= phase.first_knot || phase.first_knot > params_.knots) continue;
-    phase.fixed = begun;
+    phase.fixed = contact.start_tick <= grid_.start();
     phase.R_WF = contact.R_WF;
     phase.p_WF = contact.adjusted_p_WF;
     phase.nominal_p_WF = contact.nominal_p_WF;
@@ -83,8 +75,8 @@ void ProblemBuilder::FillPhases(std::size_t foot, const std::vector<PlannedConta
 // A measured wrench is taken to last for external_wrench_hold_s; the last knot gets its share.
 void ProblemBuilder::FillExternalWrench(const Wrench& wrench) {
   for (int k = 0; k < params_.knots; ++k) {
-    const double remaining_s = params_.external_wrench_hold_s - k * params_.step_s;
-    const double share = std::clamp(remaining_s / params_.step_s, 0.0, 1.0);
+    const double remaining_s = params_.external_wrench_hold_s - grid_.StepsTo(k) * params_.step_s;
+    const double share = std::clamp(remaining_s / ocp_.StepAt(k), 0.0, 1.0);
     ocp_.external_force_N.col(k) = share * wrench.force_N;
     ocp_.external_torque_Nm.col(k) = share * wrench.torque_Nm;
   }

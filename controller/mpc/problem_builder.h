@@ -2,12 +2,14 @@
 #pragma once
 // problem_builder: from belief, contact plan and references to a CentroidalOcp.
 //
-// Knot k lies at tick + k T. A planned contact [start, end) is active at the knots nearest to its
-// ends (Gamma sampling); on a schedule that is a multiple of T from the solve this is exact.
+// Knots lie on the plan's grid (knot_grid.h). A planned contact [start, end) is active from the
+// knot nearest to its start to the one nearest to its end (Gamma sampling): exact for what changes
+// on the grid, whenever the solve is.
 
 #include <Eigen/Core>
 #include <vector>
 
+#include "controller/mpc/knot_grid.h"
 #include "controller/mpc/problem/centroidal_ocp.h"
 #include "controller/types/contact_plan.h"
 #include "controller/types/gravity.h"
@@ -26,7 +28,7 @@ struct RobotModel {
   std::vector<Eigen::VectorXd> force_shares;  ///< One a foot, as OcpContact's; none: all equal.
 };
 
-/// References sampled on the grid, N+1 columns each.
+/// References sampled at the knots of ProblemBuilder::GridAt(), N+1 columns each.
 struct GridReferences {
   Eigen::Matrix3Xd p_WC;              ///< m.
   Eigen::Matrix3Xd angular_momentum;  ///< kg m^2/s.
@@ -39,9 +41,17 @@ class ProblemBuilder {
   /// `tick_s` is the length of a tick (s); params.step_s is a whole number of them.
   ProblemBuilder(const MpcParams& params, const RobotModel& robot, double tick_s);
 
+  /// The knots of a problem that is built at `tick` for `plan`.
+  KnotGrid GridAt(const ContactPlan& plan, Tick tick) const {
+    return {tick, plan.grid_tick, step_ticks_};
+  }
+
   /// Fills the problem at `tick`. Shapes change only with the contact schedule.
   const CentroidalOcp& Build(const RobotState& state, const ContactPlan& plan,
                              const GridReferences& references, Tick tick);
+
+  /// The knots of the last problem.
+  const KnotGrid& grid() const { return grid_; }
 
   /// The planned contact's index behind phase `phase` of contact `foot` of the last problem.
   int PlannedIndex(std::size_t foot, std::size_t phase) const { return planned_[foot][phase]; }
@@ -53,12 +63,14 @@ class ProblemBuilder {
  private:
   /// A foot's planned contacts as phases of knots. One that has begun is fixed where it is; one
   /// that no knot falls into is left out.
-  void FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned, Tick tick);
+  void FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned);
   /// Constant for external_wrench_hold_s, then zero.
   void FillExternalWrench(const Wrench& wrench);
 
   MpcParams params_;
-  Tick step_ticks_;  ///< Between knots.
+  double tick_s_;
+  Tick step_ticks_;  ///< T.
+  KnotGrid grid_;
   CentroidalOcp ocp_;
   std::vector<std::vector<int>> planned_;  ///< PlannedContact::index, by foot and phase.
 };

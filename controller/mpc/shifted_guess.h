@@ -10,8 +10,10 @@ namespace sidestep::mpc {
 /// Fills `guess` (shapes of `next_ocp`) from the solution of `previous_ocp`, `shift_knots` >= 0
 /// knots earlier. Does not allocate when the shapes repeat.
 ///
-/// - Knot k takes the previous knot k + shift. Beyond the previous horizon the CoM coasts, angular
-///   momentum and forces stay. State 0 is the next problem's.
+/// - Knot k takes the previous knot k + shift: its state, for k > 0, and its forces. On a grid that
+///   both problems share knots k > 0 are the same instants, however long the first knots are.
+///   Beyond the previous horizon the CoM coasts, angular momentum and forces stay. State 0 is the
+///   next problem's.
 /// - A phase continues the previous phase of that contact with which it shares most time, in order
 ///   of time; it may have become fixed. A phase without such a predecessor starts at its nominal
 ///   place with its share of the weight.

@@ -109,6 +109,7 @@ void GaitPlanner::LayOut(const GaitSupport& support, ContactSchedule* schedule) 
 
 void GaitPlanner::LayOutPlan() {
   LayOut(support_, &schedule_);
+  plan_.grid_tick = support_.tick;
   for (std::size_t foot = 0; foot < schedule_.feet.size(); ++foot) {
     const auto& contacts = schedule_.feet[foot];
     plan_.feet[foot].reserve(contacts.capacity());

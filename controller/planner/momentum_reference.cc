@@ -14,11 +14,9 @@ Eigen::Vector3d LevellingMomentum(const Eigen::Quaterniond& q_WB, const Eigen::M
   return momentum;
 }
 
-void FillMomentumReference(const Eigen::Vector3d& momentum, double rate_radps, double step_s,
-                           Eigen::Matrix3Xd* reference) {
-  for (Eigen::Index k = 0; k < reference->cols(); ++k) {
-    reference->col(k) = std::exp(-rate_radps * static_cast<int>(k) * step_s) * momentum;
-  }
+Eigen::Vector3d MomentumReference(const Eigen::Vector3d& momentum, double rate_radps,
+                                  double time_s) {
+  return std::exp(-rate_radps * time_s) * momentum;
 }
 
 }  // namespace sidestep

@@ -44,6 +44,9 @@ struct Foothold {
 /// The contacts of every foot that end after now and begin before the horizon's end, by time.
 struct ContactPlan {
   std::vector<std::vector<PlannedContact>> feet;
+  /// Contact changes to come are whole steps of the MPC's horizon away from this tick, as far as
+  /// the gait's times are; it may have passed or not.
+  Tick grid_tick{0};
 };
 
 /// Nominal motion of the CoM at one instant (m, m/s, m/s^2), in W.

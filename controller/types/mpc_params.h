@@ -55,12 +55,14 @@ struct EnumNames<MpcBackend> {
 
 /// The horizon, its solver and what the controller assumes; key by key in VisitFields.
 /// The horizon is knots * step_s long (1.5 s by default) and should hold at least one landing, or
-/// no foothold is decided. Solving more often than once a knot (rate_hz > 1 / step_s) is allowed:
-/// knots then start at the solve, and contacts are rounded to the nearest knot. `friction` is that
-/// of the plan alone; by default it is smaller than the world's and than InverseDynamicsParams's,
-/// which leaves the forces that are realised room about the planned ones. external_wrench_hold_s
-/// counts only if ControlParams::external_wrench tells of pushes; a hold that ends between knots
-/// gives the last knot its share.
+/// no foothold is decided. Solves need not be on the gait's grid of steps step_s, by which contacts
+/// change: the first knot lasts from the solve until the grid's next point (knot_grid.h), so that
+/// solving more often than once a knot (rate_hz > 1 / step_s) and landings off their time leave
+/// contact changes on knots. Times of the gait that are no multiple of step_s are rounded to the
+/// nearest knot. `friction` is that of the plan alone; by default it is smaller than the world's
+/// and than InverseDynamicsParams's, which leaves the forces that are realised room about the
+/// planned ones. external_wrench_hold_s counts only if ControlParams::external_wrench tells of
+/// pushes; a hold that ends between knots gives the last knot its share.
 struct MpcParams {
   double rate_hz{10.0};  ///< Its period is whole control periods.
   int knots{15};         ///< Cost and memory grow in proportion.

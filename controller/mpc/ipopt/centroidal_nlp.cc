@@ -92,8 +92,8 @@ double CentroidalNlp::Cost(ConstVector x) const {
 }
 
 void CentroidalNlp::Constraints(ConstVector x, Vector g) const {
-  const double step_s = ocp_->step_s;
   for (int k = 0; k < ocp_->knots; ++k) {
+    const double step_s = ocp_->StepAt(k);
     const KnotLayout& knot = layout_.knots()[static_cast<std::size_t>(k)];
     const Eigen::Vector3d p_WC = StateOrInitial(x, k, kPosition);
     Eigen::Vector3d vdot = ocp_->gravity_mps2 + ocp_->external_force_N.col(k) / ocp_->mass_kg;

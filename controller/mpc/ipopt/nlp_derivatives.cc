@@ -66,8 +66,8 @@ void CentroidalNlp::ForceGradient(ConstVector x, Vector gradient) const {
 
 template <typename Emit>
 void CentroidalNlp::VisitJacobian(const ConstVector* x, Emit&& emit) const {
-  const double step_s = ocp_->step_s;
   for (int k = 0; k < ocp_->knots; ++k) {
+    const double step_s = ocp_->StepAt(k);
     const KnotLayout& knot = layout_.knots()[static_cast<std::size_t>(k)];
     const int row = NlpLayout::DynamicsRow(k);
     const int next = layout_.knots()[static_cast<std::size_t>(k + 1)].state_column;
@@ -137,11 +137,12 @@ void CentroidalNlp::VisitHessian(double cost_factor, const ConstVector* multipli
   for (int s = 0; s < static_cast<int>(layout_.slots().size()); ++s) {
     VisitForceHessian(s, cost_factor, emit);
     // lambda . ((R d - p) x u) = u . [lambda]x (R d - p) has d2/du dp = -[lambda]x and
-    // d2/dd du = -R' [lambda]x; the row carries it times -T.
+    // d2/dd du = -R' [lambda]x; the row carries it times -T_k.
     const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(s)];
     Eigen::Vector3d lambda = Eigen::Vector3d::Zero();
     if (multipliers) {
-      lambda = ocp_->step_s * multipliers->segment<3>(NlpLayout::DynamicsRow(slot.knot) + kAngular);
+      lambda = ocp_->StepAt(slot.knot) *
+               multipliers->segment<3>(NlpLayout::DynamicsRow(slot.knot) + kAngular);
     }
     if (slot.knot > 0) {
       EmitSkew(slot.column,

@@ -64,8 +64,12 @@ int ActivePhase(const OcpContact& contact, int k) {
 
 void CheckShapes(const CentroidalOcp& ocp) {
   SIDESTEP_REQUIRE(ocp.knots >= 1, ocp.knots);
-  // Written so that NaN passes: non-finite data are a status of the solver, not a broken contract.
+  // Written so that NaN and infinity pass: non-finite data are a status of the solver, not a broken
+  // contract.
   SIDESTEP_REQUIRE(!(ocp.step_s <= 0.0), ocp.step_s);
+  const double first_step_s = ocp.StepAt(0);
+  SIDESTEP_REQUIRE(!(first_step_s <= 0.0), first_step_s);
+  SIDESTEP_REQUIRE(!(first_step_s > ocp.step_s && std::isfinite(first_step_s)), first_step_s);
   SIDESTEP_REQUIRE(!(ocp.mass_kg <= 0.0), ocp.mass_kg);
   const Eigen::Index num_inputs = ocp.knots;
   SIDESTEP_REQUIRE(ocp.reference_p_WC.cols() == num_inputs + 1, ocp.reference_p_WC.cols());
@@ -80,9 +84,9 @@ void CheckShapes(const CentroidalOcp& ocp) {
 }
 
 bool IsFinite(const CentroidalOcp& ocp) {
-  bool finite = std::isfinite(ocp.step_s) && std::isfinite(ocp.mass_kg) &&
-                ocp.gravity_mps2.allFinite() && ocp.initial_p_WC.allFinite() &&
-                ocp.initial_linear_momentum.allFinite() &&
+  bool finite = std::isfinite(ocp.step_s) && std::isfinite(ocp.StepAt(0)) &&
+                std::isfinite(ocp.mass_kg) && ocp.gravity_mps2.allFinite() &&
+                ocp.initial_p_WC.allFinite() && ocp.initial_linear_momentum.allFinite() &&
                 ocp.initial_angular_momentum.allFinite() && ocp.reference_p_WC.allFinite() &&
                 ocp.reference_angular_momentum.allFinite() && ocp.external_force_N.allFinite() &&
                 ocp.external_torque_Nm.allFinite() && IsFinite(ocp.weights) &&

@@ -5,19 +5,23 @@
 // In : what planner and estimator know at one instant.      Out: input of every back end.
 // Flow: estimator -> planner -> [mpc: CentroidalOcp -> back end -> MpcSolution] -> swing, wbc.
 //
-// Grid: step T, states at knots k = 0..N, inputs (forces) at k = 0..N-1. One location per contact
-// phase: the paper's pdot = (1 - Gamma) v with the free swing velocity eliminated.
+// Grid: states at knots k = 0..N, inputs (forces) at k = 0..N-1. Knot k lasts T_k: T, but for the
+// first, which may be shorter, so that a solve between two points of a gait's grid of contact
+// changes has its other knots on them. One location per contact phase: the paper's
+// pdot = (1 - Gamma) v with the free swing velocity eliminated.
 //
-//   p[k+1]   = p[k] + T hp[k] / m
-//   hp[k+1]  = hp[k] + T ( m g + F[k] + sum_ij f_ij[k] )
-//   hw[k+1]  = hw[k] + T ( tau[k] + sum_ij ( P_iq + R_iq c_ij - p[k] ) x f_ij[k] )
+//   p[k+1]   = p[k] + T_k hp[k] / m
+//   hp[k+1]  = hp[k] + T_k ( m g + F[k] + sum_ij f_ij[k] )
+//   hw[k+1]  = hw[k] + T_k ( tau[k] + sum_ij ( P_iq + R_iq c_ij - p[k] ) x f_ij[k] )
 //
 // Cost, half the weighted squares of: p - reference, hw - reference (k = 0..N); P - nominal, once a
-// knot of the phase; f_ij - s_ij sum_l f_il (symmetry) and the forces' rates; see MpcWeights.
+// knot of the phase; f_ij - s_ij sum_l f_il (symmetry) and the forces' rates; see MpcWeights. A
+// rate is a change from one input to the next over T, however short the first knot is.
 //
 // Source: Romualdi et al., ICRA 2022, section III. Every vector is in world W unless named.
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,8 +58,9 @@ struct OcpContact {
 struct CentroidalOcp {
   std::string name;
   std::string description;
-  double step_s{0.1};  ///< T.
-  int knots{15};       ///< N.
+  double step_s{0.1};                  ///< T.
+  std::optional<double> first_step_s;  ///< T_0, if it is not T; > 0 and at most T.
+  int knots{15};                       ///< N.
   double mass_kg{1.0};
   Eigen::Vector3d gravity_mps2{Eigen::Vector3d::Zero()};
   Eigen::Vector3d initial_p_WC{Eigen::Vector3d::Zero()};              ///< m.
@@ -69,6 +74,9 @@ struct CentroidalOcp {
   Eigen::MatrixX3d friction_A;  ///< rows x 3: A R^T f <= b at every vertex.
   Eigen::VectorXd friction_b;   ///< N.
   std::vector<OcpContact> contacts;
+
+  /// T_k (s): how long input k lasts.
+  double StepAt(int k) const { return k == 0 ? first_step_s.value_or(step_s) : step_s; }
 };
 
 /// The sum of force shares may differ from 1 by this much: rounding, as derivatives rely on it.

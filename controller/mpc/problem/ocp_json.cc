@@ -119,6 +119,12 @@ MpcWeights WeightsFromJson(const JsonNode& node) {
   return weights;
 }
 
+double FirstStepFromJson(const JsonNode& node, double step_s) {
+  const double first_step_s = node.PositiveNumber();
+  if (first_step_s > step_s) node.Fail("a step no longer than step_s");
+  return first_step_s;
+}
+
 void ReadFriction(const JsonNode& root, CentroidalOcp* ocp) {
   const std::size_t num_rows = root["friction_A"].ArraySize();
   ocp->friction_A = root["friction_A"].Columns3(num_rows).transpose();
@@ -134,31 +140,33 @@ json ToJson(const CentroidalOcp& ocp) {
     contacts.push_back(ToJson(contact));
   }
   const MpcWeights& weights = ocp.weights;
-  return {{"name", ocp.name},
-          {"description", ocp.description},
-          {"step_s", ocp.step_s},
-          {"knots", ocp.knots},
-          {"mass_kg", ocp.mass_kg},
-          {"gravity_m_s2", RowOf(ocp.gravity_mps2)},
-          {"initial",
-           {{"com_m", RowOf(ocp.initial_p_WC)},
-            {"linear_momentum", RowOf(ocp.initial_linear_momentum)},
-            {"angular_momentum", RowOf(ocp.initial_angular_momentum)}}},
-          {"reference",
-           {{"com_m", RowsOf(ocp.reference_p_WC)},
-            {"angular_momentum", RowsOf(ocp.reference_angular_momentum)}}},
-          {"weights",
-           {{"com", RowOf(weights.com)},
-            {"angular_momentum", RowOf(weights.angular_momentum)},
-            {"contact_position", RowOf(weights.contact_position)},
-            {"force_symmetry", RowOf(weights.force_symmetry)},
-            {"force_rate", RowOf(weights.force_rate)},
-            {"new_contact_force", RowOf(weights.new_contact_force)}}},
-          {"external_force_N", RowsOf(ocp.external_force_N)},
-          {"external_torque_Nm", RowsOf(ocp.external_torque_Nm)},
-          {"friction_A", RowsOf(ocp.friction_A.transpose())},
-          {"friction_b", RowOf(ocp.friction_b)},
-          {"contacts", contacts}};
+  json result = {{"name", ocp.name},
+                 {"description", ocp.description},
+                 {"step_s", ocp.step_s},
+                 {"knots", ocp.knots},
+                 {"mass_kg", ocp.mass_kg},
+                 {"gravity_m_s2", RowOf(ocp.gravity_mps2)},
+                 {"initial",
+                  {{"com_m", RowOf(ocp.initial_p_WC)},
+                   {"linear_momentum", RowOf(ocp.initial_linear_momentum)},
+                   {"angular_momentum", RowOf(ocp.initial_angular_momentum)}}},
+                 {"reference",
+                  {{"com_m", RowsOf(ocp.reference_p_WC)},
+                   {"angular_momentum", RowsOf(ocp.reference_angular_momentum)}}},
+                 {"weights",
+                  {{"com", RowOf(weights.com)},
+                   {"angular_momentum", RowOf(weights.angular_momentum)},
+                   {"contact_position", RowOf(weights.contact_position)},
+                   {"force_symmetry", RowOf(weights.force_symmetry)},
+                   {"force_rate", RowOf(weights.force_rate)},
+                   {"new_contact_force", RowOf(weights.new_contact_force)}}},
+                 {"external_force_N", RowsOf(ocp.external_force_N)},
+                 {"external_torque_Nm", RowsOf(ocp.external_torque_Nm)},
+                 {"friction_A", RowsOf(ocp.friction_A.transpose())},
+                 {"friction_b", RowOf(ocp.friction_b)},
+                 {"contacts", contacts}};
+  if (ocp.first_step_s) result["first_step_s"] = *ocp.first_step_s;
+  return result;
 }
 
 CentroidalOcp OcpFromJson(const json& document) {
@@ -166,13 +174,16 @@ CentroidalOcp OcpFromJson(const json& document) {
   root.RequireKeys(
       {"name", "step_s", "knots", "mass_kg", "gravity_m_s2", "initial", "reference", "weights",
        "external_force_N", "external_torque_Nm", "friction_A", "friction_b", "contacts"},
-      {"description", "solution"});
+      {"description", "first_step_s", "solution"});
   CentroidalOcp ocp;
   ocp.name = root["name"].String();
   if (root.Has("description")) {
     ocp.description = root["description"].String();
   }
   ocp.step_s = root["step_s"].PositiveNumber();
+  if (root.Has("first_step_s")) {
+    ocp.first_step_s = FirstStepFromJson(root["first_step_s"], ocp.step_s);
+  }
   ocp.knots = root["knots"].Integer(1, kMaxKnots);
   ocp.mass_kg = root["mass_kg"].PositiveNumber();
   ocp.gravity_mps2 = root["gravity_m_s2"].Vector3();

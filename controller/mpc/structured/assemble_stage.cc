@@ -145,7 +145,7 @@ void AddDynamicsCurvature(const ProblemView& problem, int k, const Linearization
   const Stage& stage = matrix.stage;
   const int n = stage.num_slots, x = stage.num_pivots;
   double pull[3];
-  for (int a = 0; a < 3; ++a) pull[a] = problem.step_s * linear.costate[9 * (k + 1) + 6 + a];
+  for (int a = 0; a < 3; ++a) pull[a] = problem.step_s[k] * linear.costate[9 * (k + 1) + 6 + a];
   for (int a = 0; a < 3; ++a) {
     const double turn[3] = {SkewEntry(pull, 0, a), SkewEntry(pull, 1, a), SkewEntry(pull, 2, a)};
     for (int j = 0; j < n; ++j) {

@@ -101,7 +101,7 @@ double BlockCost(const ProblemView& problem, const double* point, int k,
 // Gap of the dynamics from knot k to k + 1.
 void Gap(const ProblemView& problem, const double* point, int k, double* gap) {
   const Stage& stage = problem.stages[k];
-  const double step_s = problem.step_s;
+  const double step_s = problem.step_s[k];
   const double* x = point + 9 * k;
   const double* u = point + problem.at.u + 3 * stage.first_slot;
   const double* anchor = problem.anchor + 3 * stage.first_slot;

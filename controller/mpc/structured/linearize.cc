@@ -87,11 +87,11 @@ void StateGradient(const ProblemView& problem, const double* point, double* grad
 // costate_k = dJ/dx_k + A_k^T costate_{k+1}: the Lagrangian is stationary in every state.
 void Costates(const ProblemView& problem, Linearization* out) {
   const int N = problem.knots;
-  const double step_s = problem.step_s;
   for (int k = N; k > 0; --k) {
     double* own = out->costate + 9 * k;
     for (int i = 0; i < 9; ++i) own[i] = out->gradient[9 * k + i];
     if (k == N) continue;
+    const double step_s = problem.step_s[k];
     const double* next = own + 9;
     double pull[3];
     Cross(next + 6, out->force + 3 * k, pull);
@@ -112,7 +112,7 @@ double ForceDual(const ProblemView& problem, const double* point, int k, const L
   const double* z = point + problem.at.z + problem.num_faces * stage.first_slot;
   const double* face = problem.face + 3 * problem.num_faces * stage.first_slot;
   const double* gradient = at.gradient + problem.at.u + 3 * stage.first_slot;
-  const double step_s = problem.step_s;
+  const double step_s = problem.step_s[k];
   double largest = 0.0;
   for (int a = 0; a < 3; ++a) {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -141,7 +141,7 @@ double LocationDual(const ProblemView& problem, const double* point, const Linea
         double pull_W[3], pull_F[3];
         Cross(at.block_force + 3 * b, at.costate + 9 * (k + 1) + 6, pull_W);
         RotateBack(problem.rotation + 9 * i, pull_W, pull_F);
-        for (int a = 0; a < 3; ++a) slope[a] += problem.step_s * pull_F[a];
+        for (int a = 0; a < 3; ++a) slope[a] += problem.step_s[k] * pull_F[a];
       }
     }
     for (int a = 0; a < 3; ++a) {

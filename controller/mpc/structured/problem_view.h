@@ -73,9 +73,9 @@ struct ProblemView {
   int num_locations{0};
   int num_pivots{0};  ///< Of all stages.
   int num_faces{0};   ///< Rows of the friction description.
-  double step_s{0.0};
   double weight_com[3]{}, weight_momentum[3]{}, weight_symmetry[3]{}, weight_rate[3]{},
-      weight_new[3]{};                    ///< weight_rate is divided by step_s^2.
+      weight_new[3]{};                    ///< weight_rate is divided by T^2.
+  const double* step_s{nullptr};          ///< N: T_k.
   const double* reference{nullptr};       ///< 9 x (N+1), v unused.
   const double* drift{nullptr};           ///< 6 x N: acceleration and torque / m without contacts.
   const double* anchor{nullptr};          ///< 3 x slots: vertices in W if d = 0, stage by stage.

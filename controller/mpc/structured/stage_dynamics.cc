@@ -7,7 +7,7 @@ namespace sidestep::mpc::structured::SIDESTEP_ISA {
 void BuildDynamics(const ProblemView& problem, int k, const Evaluation& at,
                    const Linearization& linear) {
   const Stage& stage = problem.stages[k];
-  const double step_s = problem.step_s;
+  const double step_s = problem.step_s[k];
   const int rows = stage.num_active, n = stage.num_slots, x = stage.num_pivots;
   double* G = stage.dynamics;
   const double* arm = linear.arm + 3 * stage.first_slot;

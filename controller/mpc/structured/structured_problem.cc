@@ -42,7 +42,7 @@ void StructuredProblem::Reserve(const CentroidalOcp& ocp) {
   locations_.reserve(locations);
   first_pivot_.reserve(stages * (rows / 4 + 1));
   const std::size_t data =
-      15 * stages + (4 + 3 * faces) * slots + faces + 3 * vertices + 27 * locations;
+      16 * stages + (4 + 3 * faces) * slots + faces + 3 * vertices + 27 * locations;
   const std::size_t matrices = stages * (pivots * (rows + 1) + 9 * active);
   arena_.Reset(data + matrices, 16 + 3 * stages);
 }
@@ -241,6 +241,7 @@ void StructuredProblem::FillVectors(const CentroidalOcp& ocp) {
       reference_[9 * k + 3 + a] = 0.0;
       reference_[9 * k + 6 + a] = ocp.reference_angular_momentum(a, k) / mass_kg;
       if (k == ocp.knots) continue;
+      step_s_[k] = ocp.StepAt(k);
       drift_[6 * k + a] = ocp.gravity_mps2(a) + ocp.external_force_N(a, k) / mass_kg;
       drift_[6 * k + 3 + a] = ocp.external_torque_Nm(a, k) / mass_kg;
     }

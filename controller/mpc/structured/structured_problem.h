@@ -61,9 +61,10 @@ class StructuredProblem {
   std::vector<Location> locations_;
   std::vector<Carry> carries_;
   std::vector<int> first_pivot_;
-  double *reference_{nullptr}, *drift_{nullptr}, *anchor_{nullptr}, *face_{nullptr},
-      *bound_{nullptr}, *relative_share_{nullptr}, *previous_u_{nullptr}, *rotation_{nullptr},
-      *location_hessian_{nullptr}, *box_lower_{nullptr}, *box_upper_{nullptr}, *is_free_{nullptr};
+  double *step_s_{nullptr}, *reference_{nullptr}, *drift_{nullptr}, *anchor_{nullptr},
+      *face_{nullptr}, *bound_{nullptr}, *relative_share_{nullptr}, *previous_u_{nullptr},
+      *rotation_{nullptr}, *location_hessian_{nullptr}, *box_lower_{nullptr}, *box_upper_{nullptr},
+      *is_free_{nullptr};
 };
 
 }  // namespace sidestep::mpc::structured

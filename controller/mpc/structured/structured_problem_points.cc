@@ -31,7 +31,6 @@ void StructuredProblem::Build(const CentroidalOcp& ocp) {
   }
   for (int k = 0; k < ocp.knots; ++k) AddCarries(k);
   view_.knots = ocp.knots;
-  view_.step_s = ocp.step_s;
   view_.num_slots = num_slots;
   view_.num_locations = static_cast<int>(locations_.size());
   view_.num_faces = static_cast<int>(ocp.friction_b.size());
@@ -49,6 +48,7 @@ void StructuredProblem::TakeArrays() {
   const std::size_t stages = stages_.size();
   const std::size_t slots = Size(view_.num_slots);
   const std::size_t faces = Size(view_.num_faces);
+  view_.step_s = step_s_ = arena_.Take(Size(view_.knots));
   view_.reference = reference_ = arena_.Take(9 * stages);
   view_.drift = drift_ = arena_.Take(6 * stages);
   view_.anchor = anchor_ = arena_.Take(3 * slots);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "controller/make_stages.h"
@@ -88,6 +89,39 @@ TEST(MotionChainTest, SolvesAtItsRateAndAtTheFirstTick) {
   EXPECT_EQ(chain.solves(), 1);
   chain.RunTo(199);
   EXPECT_EQ(chain.solves(), 4);  // at 0, 50, 100 and 150 ms
+}
+
+TEST(MotionChainTest, ProblemOfASolveWithinAKnotHasItsOtherKnotsOnTheGait) {
+  // At 50 Hz the third solve is at 40 ms: 10 ms before the gait's grid of 50 ms, on which the left
+  // foot leaves the ground at 100 ms and lands at 400 ms.
+  ControllerSetup setup = Walker();
+  setup.control.mpc.rate_hz = 50;
+  Chain chain(setup);
+  chain.RunTo(59);
+  const auto problem = nlohmann::json::parse(chain.chain().LastProblemJson("off the grid"));
+  EXPECT_DOUBLE_EQ(problem.at("first_step_s").get<double>(), 0.01);
+  const auto& phases = problem.at("contacts").at(0).at("phases");
+  EXPECT_EQ(phases.at(0).at("end_knot"), 2);
+  EXPECT_EQ(phases.at(1).at("first_knot"), 8);
+}
+
+TEST(MotionChainTest, ReferencesAreSampledAtTheKnots) {
+  ControllerSetup setup = Walker();
+  setup.control.mpc.attitude_rate_radps = 4.0;
+  setup.control.mpc.rate_hz = 50;
+  MotionChain chain(setup, PlannedRobot(setup.robot, kMass_kg), StandingRule::kAsScheduled);
+  const RobotState state = Standing();
+  StageTimer timer;
+  for (Tick tick = 0; tick <= 40; ++tick) {
+    chain.Schedule(state, tick, &timer);
+    chain.Plan(state, {1.0, 0.0, 0.0}, tick, &timer);
+  }
+  const auto problem = nlohmann::json::parse(chain.LastProblemJson("off the grid"));
+  const auto& momentum = problem.at("reference").at("angular_momentum");
+  const double times_s[] = {0.0, 0.01, 0.06, 0.11};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(momentum.at(k).at(0).get<double>(), std::exp(-4.0 * times_s[k]), 1e-12) << k;
+  }
 }
 
 TEST(MotionChainTest, FeetThatStandBearTheRobotAndAFootInTheAirNothing) {

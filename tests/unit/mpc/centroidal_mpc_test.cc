@@ -205,6 +205,56 @@ TEST_F(CentroidalMpcTest, AngularMomentumStartsAtTheBeliefAndIsTurnedByThePlanne
   EXPECT_GT(largest_Nm, 0.01) << "nothing turned";
 }
 
+TEST_F(CentroidalMpcTest, PlanOfASolveWithinAKnotChangesContactsOnTheirTicks) {
+  for (const Tick solve : {1, 20, 49}) {
+    CentroidalMpc mpc(Params(), Hopper(), kTick_s);
+    Solve(&mpc, Hop(), solve);
+    mpc.Activate(solve);
+    for (Tick tick = solve; tick < 500; ++tick) {
+      const bool in_flight = tick >= 150 && tick < 300;
+      ASSERT_EQ(mpc.ForceAt(0, tick).norm() < 1e-9, in_flight) << solve << " at " << tick;
+    }
+  }
+}
+
+TEST_F(CentroidalMpcTest, PlanOfASolveWithinAKnotStartsAtTheBeliefAndIsContinuous) {
+  for (const Tick solve : {1, 20, 49}) {
+    CentroidalMpc mpc(Params(), Hopper(), kTick_s);
+    Solve(&mpc, Hop(), solve);
+    mpc.Activate(solve);
+    EXPECT_LT((mpc.ComAt(solve).p_WC - state_.p_WC).norm(), kSolverTolerance) << solve;
+    EXPECT_LT((mpc.ComAt(solve).v_WC - state_.v_WC).norm(), kSolverTolerance) << solve;
+    const KnotGrid grid = mpc.GridAt(Hop(), solve);
+    for (Tick tick = solve; tick < 11 * kStep; ++tick) {
+      const ComTarget now = mpc.ComAt(tick), next = mpc.ComAt(tick + 1);
+      const Eigen::Vector3d v_WC = now.v_WC + kTick_s * now.a_WC;
+      ASSERT_LT((next.v_WC - v_WC).norm(), kSolverTolerance) << solve << " at " << tick;
+      // The solver's steps are Euler's, ours within a knot are not: a T^2 / 2 at its end.
+      const int k = grid.KnotAt(tick);
+      const double step_s = SecondsAt(grid.StepAt(k), kTick_s);
+      const double euler_s2 = grid.KnotAt(tick + 1) > k ? 0.5 * step_s * step_s : 0.0;
+      const Eigen::Vector3d p_WC =
+          now.p_WC + kTick_s * now.v_WC + (0.5 * kTick_s * kTick_s - euler_s2) * now.a_WC;
+      ASSERT_LT((next.p_WC - p_WC).norm(), kSolverTolerance) << solve << " at " << tick;
+    }
+  }
+}
+
+TEST_F(CentroidalMpcTest, SolveWithinAKnotStartsFromThePlanItIsWithin) {
+  for (const Tick later : {1, 20, 49, 51, 99}) {
+    CentroidalMpc followed(Params(), Hopper(), kTick_s), fresh(Params(), Hopper(), kTick_s);
+    Solve(&followed, Hop(), 0);
+    followed.Activate(0);
+    const ComTarget com = followed.ComAt(later);
+    state_.p_WC = com.p_WC;
+    state_.v_WC = com.v_WC;
+    Solve(&followed, Hop(), later);
+    Solve(&fresh, Hop(), later);
+    EXPECT_FALSE(followed.report().fell_back);
+    EXPECT_LT(followed.report().iterations, fresh.report().iterations) << later;
+  }
+}
+
 TEST_F(CentroidalMpcTest, FreeFootholdsAreReportedWithFootAndIndexInTheirBoxes) {
   CentroidalMpc mpc(Params(), Hopper(), kTick_s);
   Solve(&mpc, Hop(), 0);
@@ -227,6 +277,19 @@ TEST_F(CentroidalMpcTest, FootThatStoodBeforeHasThePreviousForce) {
   Solve(&mpc, Hop(), kStep);
   EXPECT_TRUE(mpc.problem().contacts[0].has_previous_force);
   EXPECT_EQ(mpc.problem().contacts[0].previous_force_N, before_N);
+}
+
+TEST_F(CentroidalMpcTest, FootThatStandsWithinAKnotHasTheForceOfThatKnotBefore) {
+  CentroidalMpc mpc(Params(), Hopper(), kTick_s);
+  Solve(&mpc, Hop(), 20);
+  mpc.Activate(20);
+  for (const Tick tick : {30, 50, 51, 70}) {  // 20 to 50 is one knot, 50 to 100 the next
+    const Eigen::Matrix3Xd before_N = mpc.ForceAt(0, tick > 50 ? 50 : 20);
+    EXPECT_EQ(mpc.ForceAt(0, tick - 1), before_N) << tick;
+    Solve(&mpc, Hop(), tick);  // not taken into use
+    ASSERT_TRUE(mpc.problem().contacts[0].has_previous_force) << tick;
+    EXPECT_EQ(mpc.problem().contacts[0].previous_force_N, before_N) << tick;
+  }
 }
 
 TEST_F(CentroidalMpcTest, FootThatFlewOrFliesHasNoPreviousForce) {

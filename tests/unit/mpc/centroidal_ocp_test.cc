@@ -27,11 +27,21 @@ TEST(CentroidalOcpTest, APhaseIsActiveFromItsFirstKnotUntilBeforeItsEnd) {
   EXPECT_EQ(ActivePhase(foot, -1), -1);
 }
 
+TEST(CentroidalOcpTest, OnlyTheFirstStepMayBeItsOwn) {
+  CentroidalOcp ocp = WithOneFoot();
+  ocp.step_s = 0.2;
+  for (int k = 0; k < ocp.knots; ++k) EXPECT_EQ(ocp.StepAt(k), 0.2) << k;
+  ocp.first_step_s = 0.05;
+  EXPECT_NO_THROW(CheckShapes(ocp));
+  for (int k = 0; k < ocp.knots; ++k) EXPECT_EQ(ocp.StepAt(k), k == 0 ? 0.05 : 0.2) << k;
+}
+
 TEST(CentroidalOcpTest, ConsistentShapesPassEvenWithAnEmptyBoxOrNan) {
   CentroidalOcp ocp = WithOneFoot();
   EXPECT_NO_THROW(CheckShapes(ocp));
   ocp.contacts[0].phases[1].box_lower_m.setOnes();
   ocp.mass_kg = std::nan("");
+  ocp.first_step_s = std::nan("");
   EXPECT_NO_THROW(CheckShapes(ocp));
 }
 
@@ -39,6 +49,8 @@ TEST(CentroidalOcpTest, EveryInconsistencyBreaksTheContract) {
   const std::vector<void (*)(CentroidalOcp&)> breakers = {
       [](CentroidalOcp& ocp) { ocp.knots = 0; },
       [](CentroidalOcp& ocp) { ocp.step_s = 0.0; },
+      [](CentroidalOcp& ocp) { ocp.first_step_s = 0.0; },
+      [](CentroidalOcp& ocp) { ocp.first_step_s = 1.001 * ocp.step_s; },
       [](CentroidalOcp& ocp) { ocp.mass_kg = -1.0; },
       [](CentroidalOcp& ocp) { ocp.reference_p_WC.resize(3, 5); },
       [](CentroidalOcp& ocp) { ocp.reference_angular_momentum.resize(3, 7); },

@@ -146,10 +146,32 @@ inline void Randomise(Numbers& numbers, CentroidalOcp* ocp) {
   }
 }
 
+/// The problem a `share` (0 to 1) of the first input later in a perfect world: the state is that of
+/// the solution within its first knot, the rest of which is the new problem's.
+inline CentroidalOcp AdvanceWithinAKnot(const CentroidalOcp& ocp, const MpcSolution& solution,
+                                        double share) {
+  CentroidalOcp next = ocp;
+  next.first_step_s = (1.0 - share) * ocp.StepAt(0);
+  const auto within = [share](const Eigen::Matrix3Xd& states) {
+    return Eigen::Vector3d((1.0 - share) * states.col(0) + share * states.col(1));
+  };
+  next.initial_p_WC = within(solution.p_WC);
+  next.initial_linear_momentum = within(solution.linear_momentum);
+  next.initial_angular_momentum = within(solution.angular_momentum);
+  next.reference_p_WC.col(0) = within(ocp.reference_p_WC);
+  next.reference_angular_momentum.col(0) = within(ocp.reference_angular_momentum);
+  for (std::size_t i = 0; i < ocp.contacts.size(); ++i) {
+    next.contacts[i].has_previous_force = ActivePhase(ocp.contacts[i], 0) >= 0;
+    next.contacts[i].previous_force_N = solution.contacts[i].force_N[0];
+  }
+  return next;
+}
+
 /// The problem one step later in a perfect world: the state is the solution's next one, the last
 /// reference repeats, the schedule moves on, feet on the ground are where they were planned.
 inline CentroidalOcp AdvanceProblem(const CentroidalOcp& ocp, const MpcSolution& solution) {
   CentroidalOcp next = ocp;
+  next.first_step_s.reset();
   next.initial_p_WC = solution.p_WC.col(1);
   next.initial_linear_momentum = solution.linear_momentum.col(1);
   next.initial_angular_momentum = solution.angular_momentum.col(1);

@@ -71,6 +71,7 @@ std::vector<Pattern> AllPatterns() {
   for (const auto& [name, contacts] : table) {
     Pattern pattern{name, FloatingProblem(N)};
     pattern.ocp.contacts = contacts;
+    pattern.ocp.first_step_s = 0.03;  // Of 0.1 s: every knot has its own step.
     Randomise(numbers, &pattern.ocp);
     patterns.push_back(pattern);
   }

@@ -112,6 +112,22 @@ TEST_F(NlpSignsTest, GravityMomentumAndMeasuredWrenchAdvanceTheState) {
   ExpectNear(NextState(ocp, ZeroPoint(ocp)), expected);
 }
 
+TEST_F(NlpSignsTest, TheFirstKnotMayBeShorterThanTheOthers) {
+  // As above for 0.02 s: p + 0.02 * (4, 6, 8) / 2, hp + 0.02 (2 * (0, 0, -10) + (40, 0, 0)) and
+  // hw + 0.02 * (0, 7, -3).
+  CentroidalOcp ocp = Unweighted(2);
+  ocp.first_step_s = 0.02;
+  ocp.gravity_mps2 << 0, 0, -10;
+  ocp.initial_p_WC << 1, 2, 3;
+  ocp.initial_linear_momentum << 4, 6, 8;
+  ocp.initial_angular_momentum << 1, 1, 1;
+  ocp.external_force_N.col(0) << 40, 0, 0;
+  ocp.external_torque_Nm.col(0) << 0, 7, -3;
+  Eigen::VectorXd expected(9);
+  expected << 1.04, 2.06, 3.08, 4.8, 6, 7.6, 1, 1.14, 0.94;
+  ExpectNear(NextState(ocp, ZeroPoint(ocp)), expected);
+}
+
 TEST_F(NlpSignsTest, StateCostsCountEveryKnotWithTheHalf) {
   // CoM 0.2 m off along y at knots 0 and 1: 2 * 0.5 * 4 * 0.04 = 0.16. Angular momentum 6 against
   // a reference of 2 kg m^2/s about x at knot 1 only: 0.5 * 3 * (4 / 2)^2 = 6.
@@ -137,6 +153,8 @@ TEST_F(NlpSignsTest, ForceRateIsPerMassAndStep) {
   EXPECT_NEAR(CostOf(ocp, point), 22.5, kTolerance);
   ocp.contacts[0].has_previous_force = true;
   ocp.contacts[0].previous_force_N = Eigen::Vector3d(0.0, 0.0, 13.0);
+  EXPECT_NEAR(CostOf(ocp, point), 45.0, kTolerance);
+  ocp.first_step_s = 0.01;  // Rates are of the changes over T all the same.
   EXPECT_NEAR(CostOf(ocp, point), 45.0, kTolerance);
 }
 

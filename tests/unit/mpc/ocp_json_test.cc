@@ -47,6 +47,7 @@ CentroidalOcp RandomProblem() {
   ocp.contacts = {foot, Foot("point", 1)};
   Numbers numbers(3);
   Randomise(numbers, &ocp);
+  ocp.first_step_s = ocp.step_s / 3.0;
   return ocp;
 }
 
@@ -56,6 +57,7 @@ TEST(OcpJsonTest, EveryNumberSurvivesTheRoundTripThroughTextBitForBit) {
   EXPECT_EQ(back.name, ocp.name);
   EXPECT_EQ(back.description, ocp.description);
   EXPECT_EQ(back.step_s, ocp.step_s);
+  EXPECT_EQ(back.first_step_s, ocp.first_step_s);
   EXPECT_EQ(back.knots, ocp.knots);
   EXPECT_EQ(back.mass_kg, ocp.mass_kg);
   EXPECT_EQ(back.gravity_mps2, ocp.gravity_mps2);
@@ -105,6 +107,22 @@ TEST(OcpJsonTest, ReadingAndWritingAReferenceFileChangesNothingButTheDefault) {
   expected.erase("solution");
   expected["weights"]["new_contact_force"] = {0.01, 0.01, 0.01};
   EXPECT_EQ(ToJson(OcpFromJson(ReferenceJson(kExample))), expected);
+}
+
+TEST(OcpJsonTest, AProblemWithoutAFirstStepOfItsOwnDoesNotMentionIt) {
+  CentroidalOcp ocp = RandomProblem();
+  ocp.first_step_s.reset();
+  const json document = ToJson(ocp);
+  EXPECT_FALSE(document.contains("first_step_s"));
+  EXPECT_FALSE(OcpFromJson(document).first_step_s.has_value());
+}
+
+TEST(OcpJsonTest, AFirstStepIsAboveZeroAndNoLongerThanTheOthers) {
+  json document = ToJson(RandomProblem());
+  document["first_step_s"] = 0;
+  EXPECT_EQ(ErrorOf(document), "$.first_step_s: expected a finite number above zero, got 0");
+  document["first_step_s"] = 0.25;
+  EXPECT_EQ(ErrorOf(document), "$.first_step_s: expected a step no longer than step_s, got 0.25");
 }
 
 TEST(OcpJsonTest, ASolutionBlockIsReadAndWrittenUnchanged) {

@@ -48,10 +48,16 @@ class ProblemBuilderTest : public testing::Test {
     references_.angular_momentum.setZero(3, kKnots + 1);
   }
 
-  const CentroidalOcp& Build(const std::vector<PlannedContact>& contacts, Tick tick) {
-    builder_.Build(state_, {{contacts}}, references_, tick);
+  /// At `tick`, which is on the grid unless `grid_tick` says otherwise.
+  const CentroidalOcp& Build(const std::vector<PlannedContact>& contacts, Tick tick,
+                             Tick grid_tick) {
+    builder_.Build(state_, {{contacts}, grid_tick}, references_, tick);
     CheckShapes(builder_.ocp());
     return builder_.ocp();
+  }
+
+  const CentroidalOcp& Build(const std::vector<PlannedContact>& contacts, Tick tick) {
+    return Build(contacts, tick, tick);
   }
 
   const std::vector<ContactPhase>& Phases(const std::vector<PlannedContact>& contacts, Tick tick) {
@@ -70,6 +76,33 @@ TEST_F(ProblemBuilderTest, ScheduleOnTheGridIsSampledExactly) {
   EXPECT_EQ(phases[0].end_knot, 1);
   EXPECT_EQ(phases[1].first_knot, 3);
   EXPECT_EQ(phases[1].end_knot, 7);
+}
+
+TEST_F(ProblemBuilderTest, ScheduleOnTheGridIsSampledExactlyWheneverTheSolveIs) {
+  const Tick grid_tick = 13;
+  const std::vector<PlannedContact> contacts = {Contact(0, 0, 163), Contact(1, 313, 463)};
+  for (Tick tick = 1; tick < 163; ++tick) {
+    const CentroidalOcp& ocp = Build(contacts, tick, grid_tick);
+    const auto& phases = ocp.contacts[0].phases;
+    ASSERT_EQ(phases.size(), 2U) << tick;
+    EXPECT_EQ(phases[0].first_knot, 0) << tick;
+    EXPECT_EQ(builder_.grid().TickOf(phases[0].end_knot), 163) << tick;
+    EXPECT_EQ(builder_.grid().TickOf(phases[1].first_knot), 313) << tick;
+    EXPECT_EQ(builder_.grid().TickOf(phases[1].end_knot), 463) << tick;
+    EXPECT_DOUBLE_EQ(ocp.StepAt(0), SecondsAt(builder_.grid().StepAt(0), kTick_s)) << tick;
+  }
+}
+
+TEST_F(ProblemBuilderTest, SolveOnTheGridHasNoFirstStepOfItsOwn) {
+  EXPECT_TRUE(Build({Contact(0, 0, 1000)}, 20, 0).first_step_s.has_value());
+  EXPECT_FALSE(Build({Contact(0, 0, 1000)}, 100, 0).first_step_s.has_value());
+}
+
+TEST_F(ProblemBuilderTest, EndlessContactOutlastsTheHorizonWheneverTheSolveIs) {
+  for (const Tick tick : {100, 101, 149}) {
+    const CentroidalOcp& ocp = Build({Contact(0, 0, kForever)}, tick, 0);
+    EXPECT_EQ(ocp.contacts[0].phases[0].end_knot, kKnots + 1) << tick;
+  }
 }
 
 TEST_F(ProblemBuilderTest, ScheduleOffTheGridGoesToTheNearestKnots) {
@@ -156,6 +189,19 @@ TEST_F(ProblemBuilderTest, MeasuredWrenchLastsForItsHoldTimeToAFractionOfAKnot) 
   EXPECT_LT((ocp.external_torque_Nm.col(1) - 0.4 * state_.external_wrench.torque_Nm).norm(), 1e-12);
   const Eigen::Vector3d impulse_Ns = 0.05 * ocp.external_force_N.rowwise().sum();
   EXPECT_LT((impulse_Ns - 0.07 * force_N).norm(), 1e-12);
+}
+
+TEST_F(ProblemBuilderTest, MeasuredWrenchLastsForItsHoldTimeFromWithinAKnotToo) {
+  MpcParams params = Params();
+  params.external_wrench_hold_s = 0.07;
+  builder_ = ProblemBuilder(params, PointFoot(), kTick_s);
+  state_.external_wrench.force_N = {10.0, -5.0, 0.0};
+  for (const Tick tick : {1, 20, 40, 49}) {
+    const CentroidalOcp& ocp = Build({Contact(0, 0, 1000)}, tick, 0);
+    Eigen::Vector3d impulse_Ns = Eigen::Vector3d::Zero();
+    for (int k = 0; k < kKnots; ++k) impulse_Ns += ocp.StepAt(k) * ocp.external_force_N.col(k);
+    EXPECT_LT((impulse_Ns - 0.07 * state_.external_wrench.force_N).norm(), 1e-12) << tick;
+  }
 }
 
 TEST_F(ProblemBuilderTest, EachProblemStartsWithoutAPreviousForce) {

@@ -155,6 +155,10 @@ inline CentroidalOcp RandomOcp(unsigned seed) {
   draw::DrawFriction(numbers, kind, &ocp);
   draw::DrawContacts(numbers, kind, size_m, speed_mps, &ocp);
   draw::DrawMotion(numbers, size_m, speed_mps, &ocp);
+  // Half of the solves are off the grid; a tick of a millisecond is the hundredth part of a step.
+  if (draw::Chance(numbers, 0.5)) {
+    ocp.first_step_s = draw::Uniform(numbers, 0.01, 1.0) * ocp.step_s;
+  }
   return ocp;
 }
 

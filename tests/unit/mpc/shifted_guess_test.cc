@@ -88,6 +88,17 @@ TEST(ShiftedGuessTest, ShiftOfZeroRepeatsTheSolution) {
   EXPECT_EQ(guess.p_WC.col(6), Eigen::Vector3d(6, 0, 0));
 }
 
+TEST(ShiftedGuessTest, WithinAKnotTheShiftIsZeroAndOnlyTheStateNowIsAnother) {
+  const CentroidalOcp previous = WithFeet({{FixedPhase(0, 99, Eigen::Vector3d::Zero())}});
+  CentroidalOcp next = previous;
+  next.first_step_s = 0.3 * previous.step_s;
+  next.initial_p_WC << 0.7, 0, 0;
+  const MpcSolution guess = Shifted(previous, 0, next);
+  EXPECT_EQ(guess.p_WC.col(0), Eigen::Vector3d(0.7, 0, 0));
+  for (int k = 1; k <= kKnots; ++k) EXPECT_EQ(guess.p_WC.col(k), Eigen::Vector3d(k, 0, 0)) << k;
+  EXPECT_EQ(ForcesZ(guess, 0), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+}
+
 TEST(ShiftedGuessTest, ForcesMoveOnAndTheLastOneStays) {
   const CentroidalOcp ocp = WithFeet({{FixedPhase(0, 99, Eigen::Vector3d::Zero())}});
   EXPECT_EQ(ForcesZ(Shifted(ocp, 2, ocp), 0), (std::vector<double>{3, 4, 5, 6, 6, 6}));

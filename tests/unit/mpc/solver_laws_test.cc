@@ -109,6 +109,15 @@ TEST_P(SolverLawsTest, DoublingMassAndForcesChangesNoMotion) {
   ExpectCorresponds(ocp, ColdSolve(ocp), ColdSolve(Scaled(ocp, 2.0)), Eigen::Vector3d::Ones(), 2.0);
 }
 
+TEST_P(SolverLawsTest, AFirstStepAsLongAsTheOthersChangesNothing) {
+  CentroidalOcp ocp = Problem();
+  const MpcSolution without = ColdSolve(ocp);
+  ocp.first_step_s = ocp.step_s;
+  const MpcSolution with = ColdSolve(ocp);
+  EXPECT_EQ(without.p_WC, with.p_WC);
+  EXPECT_EQ(without.cost, with.cost);
+}
+
 TEST_P(SolverLawsTest, SolvingTwiceGivesTheSameBits) {
   const CentroidalOcp ocp = Problem();
   const auto solver = Solver();
@@ -158,6 +167,33 @@ TEST_P(WarmStartTest, ShiftedSolutionReachesTheSameOptimumInFewerIterations) {
     EXPECT_LE(warm.iterations, cold.iterations + 3);  // No single start may be spoilt.
     cold_iterations += cold.iterations;
     warm_iterations += warm.iterations;
+  }
+  EXPECT_LT(warm_iterations, cold_iterations);
+}
+
+TEST_P(WarmStartTest, WithinAKnotTheSolutionItselfIsTheStart) {
+  // A tick after the solve, in the midst of the knot, and a tick before its end.
+  const auto solver = MakeSolver(GetParam(), {});
+  int cold_iterations = 0;
+  int warm_iterations = 0;
+  for (const char* name : {"icub_nominal_single_support_early", "icub_forward_40N_double_support",
+                           "hopper_stance_first", "biped_walk_double_support"}) {
+    const CentroidalOcp ocp = ReferenceProblem(name);
+    const MpcSolution solution = solver->Solve(ocp, nullptr);
+    for (const double share : {0.01, 0.5, 0.99}) {
+      SCOPED_TRACE(testing::Message() << name << " after " << share);
+      const CentroidalOcp next = AdvanceWithinAKnot(ocp, solution, share);
+      const MpcSolution cold = solver->Solve(next, nullptr);
+      MpcSolution guess;
+      ShiftedGuess(ocp, solution, 0, next, &guess);
+      const MpcSolution& warm = solver->Solve(next, &guess);
+      ASSERT_EQ(cold.status, SolveStatus::kSolved);
+      ASSERT_EQ(warm.status, SolveStatus::kSolved);
+      EXPECT_NEAR(warm.cost, cold.cost, 1e-6 * cold.cost);
+      EXPECT_LE(warm.iterations, cold.iterations);
+      cold_iterations += cold.iterations;
+      warm_iterations += warm.iterations;
+    }
   }
   EXPECT_LT(warm_iterations, cold_iterations);
 }

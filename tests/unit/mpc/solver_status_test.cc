@@ -36,6 +36,7 @@ TEST_P(SolverStatusTest, EveryKindOfNonFiniteDataIsANumericalErrorAtOnce) {
   const std::vector<void (*)(CentroidalOcp&, double)> breakers = {
       [](CentroidalOcp& ocp, double bad) { ocp.mass_kg = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.step_s = bad; },
+      [](CentroidalOcp& ocp, double bad) { ocp.first_step_s = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.gravity_mps2(2) = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.initial_p_WC(0) = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.initial_linear_momentum(1) = bad; },

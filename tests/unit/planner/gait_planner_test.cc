@@ -67,6 +67,25 @@ TEST(GaitPlannerTest, PlanHoldsWhatEndsAfterNowAndBeginsWithinTheHorizon) {
   }
 }
 
+TEST(GaitPlannerTest, ContactChangesToComeAreOnTheGridOfThePlan) {
+  constexpr Tick kStep =
+      50;  // All times of this gait are multiples of it, in ticks; its start not.
+  GaitParams hop = Stretch(GaitType::kHop, 0.513);
+  GaitPlanner planner(SetupOf({Stretch(GaitType::kStand, 0.0), hop}, 1), Follow(FollowMode::kPath),
+                      kHorizon);
+  for (Tick tick = 520; tick < 3000; tick += 10) {
+    const ContactPlan& plan = planner.Update(OnPath(), tick);
+    for (const PlannedContact& contact : plan.feet[0]) {
+      if (contact.start_tick > tick) {
+        EXPECT_EQ((contact.start_tick - plan.grid_tick) % kStep, 0) << tick;
+      }
+      if (contact.end_is_known) {
+        EXPECT_EQ((contact.end_tick - plan.grid_tick) % kStep, 0) << tick;
+      }
+    }
+  }
+}
+
 TEST(GaitPlannerTest, FootInTheAirBeyondTheHorizonStillHasItsNextContact) {
   GaitParams hop = Stretch(GaitType::kHop, 0.0);
   hop.flight_s = 2.0;

@@ -155,7 +155,7 @@ TEST_F(ContactForcesTest, MomentAboutTheComIsDrawnToItsTarget) {
 }
 
 TEST_F(ContactForcesTest, ConesAndPlanStandAtTheForcesOfTheFeetInContact) {
-  state_.feet[0].in_contact = false;
+  stance_.feet[0].supports = false;
   Update();
   const int size = static_cast<int>(forces_.size());
   QpBuilder qp({nv_ + size, 0, static_cast<int>(forces_.max_rows())});
