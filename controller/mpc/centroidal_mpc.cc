@@ -58,7 +58,7 @@ ComTarget CentroidalMpc::ComAt(Tick tick) const {
   target.v_WC = v_WC + within_s * target.a_WC;
   target.p_WC = solution.p_WC.col(k) + within_s * v_WC + 0.5 * within_s * within_s * target.a_WC;
   const Eigen::Matrix3Xd& h = solution.angular_momentum;
-  target.angular_momentum_rate_Nm = (h.col(k + 1) - h.col(k)) / plan.ocp.step_s;
+  target.angular_momentum_rate_Nm = (h.col(k + 1) - h.col(k)) / plan.ocp.StepAt(k);
   target.angular_momentum = h.col(k) + within_s * target.angular_momentum_rate_Nm;
   return target;
 }

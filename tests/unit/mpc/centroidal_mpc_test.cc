@@ -229,6 +229,8 @@ TEST_F(CentroidalMpcTest, PlanOfASolveWithinAKnotStartsAtTheBeliefAndIsContinuou
       const ComTarget now = mpc.ComAt(tick), next = mpc.ComAt(tick + 1);
       const Eigen::Vector3d v_WC = now.v_WC + kTick_s * now.a_WC;
       ASSERT_LT((next.v_WC - v_WC).norm(), kSolverTolerance) << solve << " at " << tick;
+      const Eigen::Vector3d h = now.angular_momentum + kTick_s * now.angular_momentum_rate_Nm;
+      ASSERT_LT((next.angular_momentum - h).norm(), kSolverTolerance) << solve << " at " << tick;
       // The solver's steps are Euler's, ours within a knot are not: a T^2 / 2 at its end.
       const int k = grid.KnotAt(tick);
       const double step_s = SecondsAt(grid.StepAt(k), kTick_s);
