@@ -37,6 +37,8 @@ ExpectationSummary SummaryOf(const ExpectationResult& result) {
 JointSummary SummaryOf(const JointRecord& record) {
   JointSummary joint{record.joint.name, record.joint.is_slide, record.peak_torque_Nm, {}};
   if (std::isfinite(record.joint.torque_limit_Nm)) joint.limit_Nm = record.joint.torque_limit_Nm;
+  joint.peak_speed_radps = record.peak_speed_radps;
+  if (std::isfinite(record.speed_limit_radps)) joint.speed_limit_radps = record.speed_limit_radps;
   return joint;
 }
 
@@ -77,6 +79,9 @@ RunSummary MakeSummary(const Scenario& scenario, const RunOutcome& outcome, cons
   summary.metrics = outcome.metrics;
   for (const PushRecord& record : outcome.pushes) {
     summary.pushes.push_back(SummaryOf(record, outcome.mass_kg));
+  }
+  for (const GaitRecord& record : outcome.gaits) {
+    summary.gaits.push_back({record.gait.type, record.gait.start_s, record.figures});
   }
   for (const JointRecord& record : outcome.joints) summary.joints.push_back(SummaryOf(record));
   summary.solve_time = StageTimesOf(facts.solve_ms, 1000.0 / scenario.control.mpc.rate_hz);

@@ -93,12 +93,38 @@ struct PushSummary {
   }
 };
 
+/// A gait that the scenario asks for, and what came of it over its whole strides; see GaitFigures.
+/// A gait without whole strides has no figures.
+struct GaitSummary {
+  GaitType type{GaitType::kStand};
+  double start_s{kNotTold};  ///< As asked.
+  GaitFigures figures;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("type", self.type);
+    visit("start_s", self.start_s);
+    visit("strides", self.figures.strides);
+    visit("from_s", self.figures.from_s);
+    visit("to_s", self.figures.to_s);
+    visit("speed_mps", self.figures.speed_mps);
+    visit("step_length_m", self.figures.step_length_m);
+    visit("step_frequency_hz", self.figures.step_frequency_hz);
+    visit("duty_factor", self.figures.duty_factor);
+    visit("flight_fraction", self.figures.flight_fraction);
+    visit("cost_of_transport", self.figures.cost_of_transport);
+    visit("max_ground_force_ratio", self.figures.max_ground_force_ratio);
+  }
+};
+
 /// What a joint's motor was put to. In the file the name is the key, and the keys tell the unit.
 struct JointSummary {
   std::string name;
   bool is_slide{false};
-  double peak_Nm{kNotTold};        ///< Largest |torque|; N for a slide.
-  std::optional<double> limit_Nm;  ///< N for a slide; empty if the motor has no limit.
+  double peak_Nm{kNotTold};                   ///< Largest |torque|; N for a slide.
+  std::optional<double> limit_Nm;             ///< N for a slide; empty if the motor has no limit.
+  double peak_speed_radps{kNotTold};          ///< Largest |velocity|; m/s for a slide.
+  std::optional<double> speed_limit_radps{};  ///< Of a hinge; empty if the robot tells none.
 
   static constexpr char kSlideKey[] = "peak_force_N";  ///< A joint that has it is a slide.
 
@@ -106,6 +132,9 @@ struct JointSummary {
   static void VisitFields(Self& self, Visitor&& visit) {
     visit(self.is_slide ? kSlideKey : "peak_torque_Nm", self.peak_Nm);
     visit(self.is_slide ? "limit_N" : "limit_Nm", self.limit_Nm);
+    visit(self.is_slide ? "peak_speed_mps" : "peak_speed_radps", self.peak_speed_radps,
+          kAddedLater);
+    if (!self.is_slide) visit("speed_limit_radps", self.speed_limit_radps, kAddedLater);
   }
 };
 
@@ -140,6 +169,7 @@ struct RunSummary {
   std::vector<ExpectationSummary> expectations;  ///< In the scenario's order.
   Metrics metrics;                               ///< By name, as sim/verdict/metrics.h lists them.
   std::vector<PushSummary> pushes;               ///< In the scenario's order.
+  std::vector<GaitSummary> gaits;                ///< Likewise.
   std::vector<JointSummary> joints;              ///< In the order of the actuators.
   StageTimes solve_time;                         ///< One run a solve of the MPC.
   StageTimes whole_body_time;                    ///< One run a tick of the whole-body control.
@@ -159,6 +189,7 @@ struct RunSummary {
     visit("expectations", self.expectations);
     visit("metrics", self.metrics);
     visit("pushes", self.pushes);
+    visit("gaits", self.gaits, kAddedLater);
     visit("joints", self.joints, kAddedLater);
     visit("solve_time_ms", self.solve_time);
     visit("whole_body_time_ms", self.whole_body_time, kAddedLater);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "models/robot_description/robot_description.h"
 #include "sim/verdict/verdict.h"
 #include "sim/world/world.h"
 
@@ -14,8 +15,10 @@ namespace sidestep {
 /// radians are not compared.
 class JointMeter {
  public:
-  /// @param joints  Of the plant. @param tick_s  Length of a tick.
-  JointMeter(const std::vector<JointInfo>& joints, double tick_s);
+  /// @param joints  Of the plant. @param described  The robot's, which may tell a limit of a
+  /// hinge's speed; in the same order, or none. @param tick_s  Length of a tick.
+  JointMeter(const std::vector<JointInfo>& joints, const std::vector<JointDescription>& described,
+             double tick_s);
 
   /// Takes the truth of one tick, with as many joints as there are or with none.
   void Add(const WorldTruth& truth);
@@ -26,6 +29,9 @@ class JointMeter {
 
   /// Largest |torque| of a motor over its limit; NaN if no motor has one.
   double max_torque_ratio() const { return max_torque_ratio_; }
+
+  /// Largest speed of a hinge over its limit; NaN if the robot tells no limit.
+  double max_speed_ratio() const { return max_speed_ratio_; }
 
   /// Time in which some motor was asked for more than it can (s).
   double saturation_s() const { return saturation_s_; }
@@ -40,6 +46,7 @@ class JointMeter {
   std::vector<JointRecord> records_;
   double min_margin_rad_{kNaN};
   double max_torque_ratio_{kNaN};
+  double max_speed_ratio_{kNaN};
   double saturation_s_{0.0};
 };
 

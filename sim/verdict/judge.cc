@@ -108,6 +108,7 @@ RunOutcome Judge::Conclude() const {
   outcome.metrics = state.meters.Measure();
   outcome.footsteps = state.meters.Footsteps();
   outcome.pushes = state.meters.Pushes();
+  outcome.gaits = state.meters.Gaits();
   outcome.joints = state.meters.joints().records();
   outcome.mass_kg = state.mass_kg;
 

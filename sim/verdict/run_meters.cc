@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "controller/types/gravity.h"
 #include "models/support/require.h"
@@ -37,7 +38,8 @@ RunMeters::RunMeters(const MeterSetup& setup)
       slip_(stances_.size()),
       sole_(setup.robot.feet),
       steps_(setup.robot.feet, tick_s_),
-      joints_(setup.joints, tick_s_),
+      gait_(setup.gait.segments, {stances_.size(), setup.mass_kg, !setup.joints.empty()}, tick_s_),
+      joints_(setup.joints, setup.robot.joints, tick_s_),
       flight_(tick_s_),
       path_(nominal_, setup.gait, setup.control_rate_hz),
       push_(setup.pushes, tick_s_),
@@ -103,8 +105,9 @@ void RunMeters::AddFeet(Tick tick, const WorldTruth& truth) {
   sole_.Add(truth, stances_);
   const std::size_t before = steps_.touch_downs().size();
   steps_.Add(tick, truth, stances_, stance_slip_m, nominal_);
-  for (std::size_t at = before; at < steps_.touch_downs().size(); ++at) {
-    const TouchDown& touch_down = steps_.touch_downs()[at];
+  const auto touch_downs = std::span(steps_.touch_downs()).subspan(before);
+  gait_.Add(tick, truth, stances_, touch_downs);
+  for (const TouchDown& touch_down : touch_downs) {
     if (touch_down.is_step) push_.AddStep(touch_down.tick, touch_down.adjustment_m);
   }
 }
@@ -127,6 +130,7 @@ Tick RunMeters::FirstPushStart() const {
 Metrics RunMeters::Measure() const {
   Metrics metrics;
   AddTruthMetrics(metrics);
+  AddGaitMetrics(metrics);
   AddControllerMetrics(metrics);
   return metrics;
 }
@@ -159,8 +163,23 @@ void RunMeters::AddTruthMetrics(Metrics& metrics) const {
       {"max_self_penetration_m", max_self_penetration_m_},
       {"min_joint_margin_rad", joints_.min_margin_rad()},
       {"max_torque_ratio", joints_.max_torque_ratio()},
+      {"max_joint_speed_ratio", joints_.max_speed_ratio()},
       {"torque_saturation_s", joints_.saturation_s()},
       {"energy_J", energy_J_},
+  });
+}
+
+void RunMeters::AddGaitMetrics(Metrics& metrics) const {
+  const GaitFigures figures = gait_.LastMoving();
+  metrics.insert({
+      {"gait_speed_mps", figures.speed_mps},
+      {"step_length_m", figures.step_length_m},
+      {"step_frequency_hz", figures.step_frequency_hz},
+      {"duty_factor", figures.duty_factor},
+      {"walk_flight_fraction", gait_.WalkFlightFraction()},
+      {"run_flight_fraction", gait_.RunFlightFraction()},
+      {"cost_of_transport", figures.cost_of_transport},
+      {"max_ground_force_ratio", figures.max_ground_force_ratio},
   });
 }
 

@@ -15,6 +15,7 @@
 #include "sim/scenario/nominal_motion.h"
 #include "sim/verdict/fall_meter.h"
 #include "sim/verdict/flight_meter.h"
+#include "sim/verdict/gait_meter.h"
 #include "sim/verdict/joint_meter.h"
 #include "sim/verdict/meter_setup.h"
 #include "sim/verdict/path_meter.h"
@@ -46,6 +47,8 @@ class RunMeters {
   std::vector<FootstepRecord> Footsteps() const;  ///< See footsteps.h.
   std::vector<PushRecord> Pushes() const;         ///< In the scenario's order.
 
+  std::vector<GaitRecord> Gaits() const { return gait_.Records(); }  ///< Likewise.
+
   const FallMeter& fall() const { return fall_; }
   const SolverMeter& solver() const { return solver_; }
   const JointMeter& joints() const { return joints_; }
@@ -60,6 +63,7 @@ class RunMeters {
   /// Feet, flight, joints and the controller.
   void AddBeforeFall(Tick tick, const WorldTruth& truth, const ControlTick* control);
   void AddTruthMetrics(Metrics& metrics) const;
+  void AddGaitMetrics(Metrics& metrics) const;
   void AddControllerMetrics(Metrics& metrics) const;
   /// Steps count for the adjustments from here on; 0 without a push.
   Tick FirstPushStart() const;
@@ -73,6 +77,7 @@ class RunMeters {
   std::vector<SlipMeter> slip_;
   SoleMeter sole_;
   StepLog steps_;
+  GaitMeter gait_;
   JointMeter joints_;
   FlightMeter flight_;
   PathMeter path_;

@@ -15,6 +15,7 @@
 
 #include "controller/types/contact_plan.h"
 #include "controller/types/field.h"
+#include "controller/types/gait_params.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
 
@@ -114,10 +115,38 @@ struct PushRecord {
   PushFigures figures{};
 };
 
+/// What a gait came to over its whole strides; sim/verdict/gait_meter.h defines it all. NaN without
+/// a whole stride.
+struct GaitFigures {
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+  int strides{0};  ///< Whole ones.
+  double from_s{kNaN};
+  double to_s{kNaN};
+  double speed_mps{kNaN};          ///< Of the CoM, horizontally, from there to there.
+  double step_length_m{kNaN};      ///< Advance of the feet from one touch-down to the next.
+  double step_frequency_hz{kNaN};  ///< Touch-downs of all feet.
+  double duty_factor{kNaN};        ///< Share of the time in which a foot bears load; their mean.
+  double flight_fraction{kNaN};    ///< Share of the time in which no foot bears load.
+  /// Positive mechanical work of the joints over weight times advance of the CoM; NaN without
+  /// motors or on the spot.
+  double cost_of_transport{kNaN};
+  double max_ground_force_ratio{kNaN};  ///< Largest vertical force on one foot over the weight.
+};
+
+/// A gait that the scenario asks for, and what the robot made of it.
+struct GaitRecord {
+  GaitParams gait;
+  GaitFigures figures{};
+};
+
 /// What a joint's motor was put to.
 struct JointRecord {
   JointInfo joint;
-  double peak_torque_Nm{0.0};  ///< Largest |torque|; N for a slide.
+  double peak_torque_Nm{0.0};    ///< Largest |torque|; N for a slide.
+  double peak_speed_radps{0.0};  ///< Largest |velocity|; m/s for a slide.
+  /// Of a hinge, by the robot's description; infinite if that tells none.
+  double speed_limit_radps{std::numeric_limits<double>::infinity()};
 };
 
 /// Everything that a run is judged by.
@@ -126,6 +155,7 @@ struct RunOutcome {
   Metrics metrics;
   std::vector<FootstepRecord> footsteps;  ///< In order of start.
   std::vector<PushRecord> pushes;         ///< In the scenario's order.
+  std::vector<GaitRecord> gaits;          ///< Likewise.
   std::vector<JointRecord> joints;        ///< In the order of the actuators.
   double mass_kg{0.0};                    ///< Of the plant.
 };

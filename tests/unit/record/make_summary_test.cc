@@ -75,6 +75,23 @@ TEST(MakeSummaryTest, PushesTellWhetherAndHowTheRobotRecovered) {
   EXPECT_TRUE(pushes[1].at("recovery_time_s").is_null()) << "never";
 }
 
+TEST(MakeSummaryTest, GaitsTellWhatCameOfThem) {
+  RunOutcome outcome;
+  outcome.gaits.resize(2);
+  outcome.gaits[1].gait.type = GaitType::kRun;
+  outcome.gaits[1].gait.start_s = 1.5;
+  outcome.gaits[1].figures = {7, 2.0, 4.5, 1.2, 0.4, 3.0, 0.3, 0.4, 0.6, 2.5};
+  const nlohmann::json gaits = Summary(outcome).at("gaits");
+  EXPECT_EQ(gaits[0].at("type"), "stand");
+  EXPECT_EQ(gaits[0].at("strides"), 0);
+  EXPECT_TRUE(gaits[0].at("speed_mps").is_null());
+  EXPECT_EQ(gaits[1], nlohmann::json::parse(
+                          R"({"type": "run", "start_s": 1.5, "strides": 7, "from_s": 2.0,
+                              "to_s": 4.5, "speed_mps": 1.2, "step_length_m": 0.4,
+                              "step_frequency_hz": 3.0, "duty_factor": 0.3, "flight_fraction": 0.4,
+                              "cost_of_transport": 0.6, "max_ground_force_ratio": 2.5})"));
+}
+
 TEST(MakeSummaryTest, PercentilesAreSamplesAndMissesExceedTheDeadline) {
   std::vector<double> solve_ms;
   for (int i = 200; i >= 1; --i) solve_ms.push_back(i);
@@ -114,11 +131,12 @@ TEST(MakeSummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
   RunOutcome outcome;
   JointInfo knee{"knee"};
   knee.torque_limit_Nm = 40.0;
-  outcome.joints = {{knee, 12.5}, {{"leg", true}, 60.0}};
+  outcome.joints = {{knee, 12.5, 3.0, 4.0}, {{"leg", true}, 60.0, 0.5}};
   const nlohmann::json joints = Summary(outcome).at("joints");
-  EXPECT_EQ(joints.at("knee"),
-            nlohmann::json::parse(R"({"peak_torque_Nm": 12.5, "limit_Nm": 40.0})"));
-  EXPECT_EQ(joints.at("leg"), nlohmann::json::parse(R"({"peak_force_N": 60.0, "limit_N": null})"));
+  EXPECT_EQ(joints.at("knee"), nlohmann::json::parse(R"({"peak_torque_Nm": 12.5, "limit_Nm": 40.0,
+                                      "peak_speed_radps": 3.0, "speed_limit_radps": 4.0})"));
+  EXPECT_EQ(joints.at("leg"), nlohmann::json::parse(R"({"peak_force_N": 60.0, "limit_N": null,
+                                                        "peak_speed_mps": 0.5})"));
   EXPECT_EQ(Summary({}).at("joints"), nlohmann::json::object());
 }
 

@@ -43,7 +43,10 @@ RunSummary FailedRun() {
   outcome.pushes = {{scenario.pushes[0], {0.0, 3.0, 4.0}}, {scenario.pushes[1], {0.1, 0.2, 0.3}}};
   JointInfo knee{"knee"};
   knee.torque_limit_Nm = 40.0;
-  outcome.joints = {{knee, 12.5}, {{"leg", true}, 60.0}, {{"ankle"}, 0.1}};
+  outcome.joints = {{knee, 12.5, 3.5, 4.5}, {{"leg", true}, 60.0, 0.75}, {{"ankle"}, 0.1}};
+  outcome.gaits.resize(2);
+  outcome.gaits[0].gait.type = GaitType::kHop;
+  outcome.gaits[0].figures = {3, 0.25, 1.25, 0.5, 0.35, 2.5, 0.45, 0.15, 0.65, 1.75};
   return MakeSummary(scenario, outcome,
                      {{"sidestep", "run", "a.yaml"}, {30.0, 120.0}, {1.0, 2.0, 6.0}, 3.0, 1.7});
 }
@@ -100,6 +103,9 @@ TEST(RunSummaryTest, JointsKeepTheOrderOfTheActuatorsAndTheirUnits) {
   EXPECT_TRUE(read.joints[1].is_slide);
   EXPECT_EQ(read.joints[1].peak_Nm, 60.0);
   EXPECT_FALSE(read.joints[1].limit_Nm.has_value()) << "an infinite limit is none";
+  EXPECT_EQ(read.joints[0].peak_speed_radps, 3.5);
+  EXPECT_EQ(read.joints[0].speed_limit_radps, 4.5);
+  EXPECT_EQ(read.joints[1].peak_speed_radps, 0.75);
   EXPECT_EQ(read.joints[2].name, "ankle") << "not the alphabet's order";
 }
 
@@ -147,14 +153,33 @@ constexpr const char* kPass = R"({
       "drift_m": 0.5
     }
   ],
+  "gaits": [
+    {
+      "type": "hop",
+      "start_s": 0.0,
+      "strides": 3,
+      "from_s": 0.25,
+      "to_s": 1.25,
+      "speed_mps": 0.5,
+      "step_length_m": 0.125,
+      "step_frequency_hz": 4.0,
+      "duty_factor": 0.75,
+      "flight_fraction": 0.0,
+      "cost_of_transport": null,
+      "max_ground_force_ratio": 1.5
+    }
+  ],
   "joints": {
     "leg": {
       "peak_force_N": 60.0,
-      "limit_N": null
+      "limit_N": null,
+      "peak_speed_mps": 0.5
     },
     "knee": {
       "peak_torque_Nm": 12.5,
-      "limit_Nm": 40.0
+      "limit_Nm": 40.0,
+      "peak_speed_radps": 2.5,
+      "speed_limit_radps": null
     }
   },
   "solve_time_ms": {
@@ -204,6 +229,7 @@ TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   old = Without(old, ",\n      \"recovered\"", "\n    }\n  ],\n  \"solve_time_ms\"");
   const RunSummary read = Read(old);
   EXPECT_TRUE(read.joints.empty());
+  EXPECT_TRUE(read.gaits.empty());
   ASSERT_EQ(read.pushes.size(), 1U);
   EXPECT_FALSE(read.pushes[0].recovered);
   EXPECT_TRUE(std::isnan(read.pushes[0].recovery_time_s));

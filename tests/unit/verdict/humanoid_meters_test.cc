@@ -115,17 +115,26 @@ std::vector<JointInfo> ThreeJoints() {
   return {hip, wheel, leg};
 }
 
+// What the robot says of them: a speed's limit of the hip and, in a unit that is not its, the leg.
+std::vector<JointDescription> DescribedJoints() {
+  std::vector<JointDescription> joints(3);
+  joints[0].velocity_limit_radps = 4.0;
+  joints[2].velocity_limit_radps = 1.0;
+  return joints;
+}
+
 WorldTruth JointsAt(const Eigen::Vector3d& position, const Eigen::Vector3d& torque,
                     int num_saturated = 0) {
   WorldTruth truth;
   truth.joint_position = position;
+  truth.joint_velocity.setZero(3);
   truth.joint_torque_Nm = torque;
   truth.num_saturated = num_saturated;
   return truth;
 }
 
 TEST(JointMeterTest, MarginIsTheNearestEndOfAnyHingesRange) {
-  JointMeter meter(ThreeJoints(), kTick_s);
+  JointMeter meter(ThreeJoints(), {}, kTick_s);
   EXPECT_TRUE(std::isnan(meter.min_margin_rad()));
   meter.Add(JointsAt({0.7, 50.0, 0.299}, Eigen::Vector3d::Zero()));
   EXPECT_NEAR(meter.min_margin_rad(), 0.3, 1e-12) << "a slide's range is in metres";
@@ -137,7 +146,7 @@ TEST(JointMeterTest, MarginIsTheNearestEndOfAnyHingesRange) {
 }
 
 TEST(JointMeterTest, TorquesPeakEitherWayAndCompareWithTheirOwnLimit) {
-  JointMeter meter(ThreeJoints(), kTick_s);
+  JointMeter meter(ThreeJoints(), {}, kTick_s);
   EXPECT_TRUE(std::isnan(meter.max_torque_ratio()));
   meter.Add(JointsAt(Eigen::Vector3d::Zero(), {-12.0, 300.0, 50.0}));
   meter.Add(JointsAt(Eigen::Vector3d::Zero(), {8.0, 10.0, -70.0}));
@@ -149,8 +158,32 @@ TEST(JointMeterTest, TorquesPeakEitherWayAndCompareWithTheirOwnLimit) {
   EXPECT_EQ(meter.records()[2].joint.name, "leg");
 }
 
+TEST(JointMeterTest, SpeedsPeakEitherWayAndCompareWithTheLimitThatTheRobotTells) {
+  JointMeter meter(ThreeJoints(), DescribedJoints(), kTick_s);
+  WorldTruth truth = JointsAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  for (const Eigen::Vector3d& velocity :
+       {Eigen::Vector3d(1.0, 50.0, 2.0), Eigen::Vector3d(-3.0, 10.0, -1.5)}) {
+    truth.joint_velocity = velocity;
+    meter.Add(truth);
+  }
+  EXPECT_NEAR(meter.max_speed_ratio(), 0.75, 1e-12) << "wheel and leg have no limit in rad/s";
+  EXPECT_EQ(meter.records()[0].peak_speed_radps, 3.0);
+  EXPECT_EQ(meter.records()[0].speed_limit_radps, 4.0);
+  EXPECT_EQ(meter.records()[1].peak_speed_radps, 50.0);
+  EXPECT_TRUE(std::isinf(meter.records()[2].speed_limit_radps));
+  JointMeter untold(ThreeJoints(), {}, kTick_s);
+  untold.Add(truth);
+  EXPECT_TRUE(std::isnan(untold.max_speed_ratio()));
+}
+
+TEST(JointMeterTest, RobotOfOtherJointsBreaksTheContract) {
+  EXPECT_THROW(JointMeter(ThreeJoints(), std::vector<JointDescription>(2), kTick_s),
+               ContractViolation);
+  EXPECT_NO_THROW(JointMeter({}, DescribedJoints(), kTick_s)) << "a plant without joints";
+}
+
 TEST(JointMeterTest, SaturationAddsUpTheTicksOfAnyMotor) {
-  JointMeter meter(ThreeJoints(), kTick_s);
+  JointMeter meter(ThreeJoints(), {}, kTick_s);
   for (int saturated : {0, 1, 2, 0, 1}) {
     meter.Add(JointsAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), saturated));
   }
@@ -158,10 +191,11 @@ TEST(JointMeterTest, SaturationAddsUpTheTicksOfAnyMotor) {
 }
 
 TEST(JointMeterTest, TruthOfAnotherRobotBreaksTheContract) {
-  JointMeter meter(ThreeJoints(), kTick_s);
+  JointMeter meter(ThreeJoints(), {}, kTick_s);
   WorldTruth truth;
   EXPECT_NO_THROW(meter.Add(truth)) << "a plant without joints";
   truth.joint_position.setZero(2);
+  truth.joint_velocity.setZero(2);
   truth.joint_torque_Nm.setZero(2);
   EXPECT_THROW(meter.Add(truth), ContractViolation);
 }
@@ -185,12 +219,14 @@ TEST(SlipMeterTest, FootThatRollsAboutItsEdgeDoesNotSlip) {
 TEST(HumanoidJudgeTest, TellsSolesJointsBodyAndHeights) {
   Scenario scenario = OneFootScenario();
   scenario.robot.feet[0] = BoxFoot();
+  scenario.robot.joints = DescribedJoints();
   Judge judge = JudgeOf(scenario, ThreeJoints());
   Watch(judge, scenario, 100, [](Tick tick, WorldTruth& truth, ControlTick&) {
     const double wave = std::sin(std::numbers::pi * static_cast<double>(tick) / 100.0);
     truth.p_WB.z() = 0.6 + 0.05 * wave;
     truth.feet[0].R_WF = About(Eigen::Vector3d::UnitX(), 0.02 * wave);
     truth.joint_position = Eigen::Vector3d(0.5 + 0.1 * wave, 0.0, 0.1);
+    truth.joint_velocity = Eigen::Vector3d(-3.0 * wave, 0.0, 100.0);
     truth.joint_torque_Nm = Eigen::Vector3d(10.0 * wave, 0.0, 0.0);
     truth.num_saturated = tick >= 40 && tick < 60 ? 1 : 0;
     truth.self_contact_depth_m = 0.003 * wave;
@@ -201,6 +237,7 @@ TEST(HumanoidJudgeTest, TellsSolesJointsBodyAndHeights) {
   EXPECT_NEAR(NumberOf(outcome, "max_sole_tilt_rad"), 0.02, 1e-12);
   EXPECT_NEAR(NumberOf(outcome, "min_joint_margin_rad"), 0.4, 1e-12);
   EXPECT_NEAR(NumberOf(outcome, "max_torque_ratio"), 0.5, 1e-12);
+  EXPECT_NEAR(NumberOf(outcome, "max_joint_speed_ratio"), 0.75, 1e-12) << "of the one with a limit";
   EXPECT_NEAR(NumberOf(outcome, "torque_saturation_s"), 0.02, 1e-12);
   EXPECT_NEAR(NumberOf(outcome, "max_self_penetration_m"), 0.003, 1e-12);
   ASSERT_EQ(outcome.joints.size(), 3U);

@@ -11,48 +11,18 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/unit/verdict/verdict_test_support.h"
+#include "tests/unit/verdict/moving_com.h"
 
 namespace sidestep::push_meter_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-void PushAt(Scenario& scenario, double start_s, double duration_s) {
-  Push push;
-  push.start_s = start_s;
-  push.duration_s = duration_s;
-  scenario.pushes.push_back(push);
-}
-
 // Stands; one push from 1.0 s to 1.5 s.
 Scenario StandScenario() {
   Scenario scenario = OneFootScenario();
   PushAt(scenario, 1.0, 0.5);
   return scenario;
-}
-
-// Walks at 0.5 m/s without sway; one push from 4.0 s to 4.5 s.
-Scenario WalkScenario() {
-  Scenario scenario = TwoFeetScenario();
-  scenario.gait[0].step_length_m = 0.4;
-  PushAt(scenario, 4.0, 0.5);
-  return scenario;
-}
-
-using ComOf = std::function<Eigen::Vector3d(double time_s)>;
-
-/// The run of a robot whose CoM moves like that, for `end_s`.
-RunOutcome RunOf(const Scenario& scenario, double end_s, const ComOf& com) {
-  return OutcomeOf(scenario, TickAt(end_s, 0.001), [&](Tick tick, WorldTruth& truth, ControlTick&) {
-    truth.p_WC = com(0.001 * static_cast<double>(tick));
-  });
-}
-
-ComOf NominalLate(const Scenario& scenario, const std::function<double(double)>& late_s_at) {
-  return [nominal = NominalOf(scenario), late_s_at](double time_s) {
-    return nominal.ComAt(TickAt(time_s - late_s_at(time_s), 0.001)).p_WC;
-  };
 }
 
 TEST(PushMeterTest, RobotThatComesBackRecoversWhenItIsBack) {
@@ -81,7 +51,7 @@ TEST(PushMeterTest, RecoveryMustLastForASecondBeforeTheRunEnds) {
 }
 
 TEST(PushMeterTest, RobotThatWalksOnAsideHasRecoveredAndTheDriftTells) {
-  const Scenario scenario = WalkScenario();
+  const Scenario scenario = PushedWalkScenario();
   const RunOutcome outcome = RunOf(
       scenario, 10.0, [walk = NominalLate(scenario, [](double) { return 0.0; })](double time_s) {
         const double aside_m = 0.3 * std::clamp((time_s - 4.0) / 0.5, 0.0, 1.0);
@@ -98,44 +68,8 @@ TEST(PushMeterTest, RobotThatWalksOnAsideHasRecoveredAndTheDriftTells) {
   EXPECT_LT(outcome.pushes[0].figures.recovery_time_s, 1.6);
 }
 
-TEST(PushMeterTest, RobotThatGoesOnWithADelayedScheduleIsNotChargedForItsPhase) {
-  // Stops for 0.5 s, then walks the same path half a second late; or 3 s late, two cycles.
-  const Scenario scenario = WalkScenario();
-  for (const double delay_s : {0.5, 3.0}) {
-    const RunOutcome outcome = RunOf(scenario, 10.0, NominalLate(scenario, [=](double time_s) {
-                                       return std::clamp(time_s - 4.0, 0.0, delay_s);
-                                     }));
-    EXPECT_TRUE(FlagOf(outcome, "recovered")) << delay_s;
-    EXPECT_LT(NumberOf(outcome, "max_path_error_m"), 1e-4) << delay_s;
-    EXPECT_LT(NumberOf(outcome, "drift_m"), 1e-4) << delay_s;
-  }
-}
-
-TEST(PushMeterTest, LateRobotMayStillWalkWhenTheClockHasItStand) {
-  // 1.5 s late from the start on; the gait stands from 4.8 s on, before a second after the push is
-  // over, and the run ends before the robot does.
-  Scenario scenario = WalkScenario();
-  scenario.gait.resize(2);
-  scenario.gait[1].type = GaitType::kStand;
-  scenario.gait[1].start_s = 4.0;
-  const RunOutcome outcome =
-      RunOf(scenario, 6.0, NominalLate(scenario, [](double) { return 1.5; }));
-  EXPECT_TRUE(FlagOf(outcome, "recovered"));
-  EXPECT_GT(NumberOf(outcome, "final_speed_error_mps"), 0.3) << "by the clock it should stand";
-}
-
-TEST(PushMeterTest, RobotThatWalksOnBeyondTheEndOfItsPathNeverRecovers) {
-  Scenario scenario = WalkScenario();
-  scenario.gait.resize(2);
-  scenario.gait[1].type = GaitType::kStand;
-  scenario.gait[1].start_s = 4.0;
-  const RunOutcome outcome =
-      RunOf(scenario, 9.0, [](double time_s) { return Eigen::Vector3d(0.5 * time_s, 0.0, 0.5); });
-  EXPECT_FALSE(FlagOf(outcome, "recovered"));
-}
-
 TEST(PushMeterTest, RobotThatStandsStillHasRecovered) {
-  const Scenario scenario = WalkScenario();
+  const Scenario scenario = PushedWalkScenario();
   const RunOutcome outcome =
       RunOf(scenario, 10.0,
             NominalLate(scenario, [](double time_s) { return std::max(0.0, time_s - 4.2); }));
@@ -144,7 +78,7 @@ TEST(PushMeterTest, RobotThatStandsStillHasRecovered) {
 }
 
 TEST(PushMeterTest, RobotThatWalksAwayAtAnotherSpeedNeverRecovers) {
-  const Scenario scenario = WalkScenario();
+  const Scenario scenario = PushedWalkScenario();
   // On the path, but at 0.25 m/s, and at 0.75 m/s.
   for (const double slower : {0.5, -0.5}) {
     const RunOutcome outcome = RunOf(scenario, 10.0, NominalLate(scenario, [=](double time_s) {
@@ -184,7 +118,7 @@ TEST(PushMeterTest, RobotThatLeansNeverRecovers) {
 }
 
 TEST(PushMeterTest, WhatThePlannerFollowsDoesNotMatter) {
-  Scenario scenario = WalkScenario();
+  Scenario scenario = PushedWalkScenario();
   const ComOf late =
       NominalLate(scenario, [](double time_s) { return std::clamp(time_s - 4.0, 0.0, 0.5); });
   const double path_s = NumberOf(RunOf(scenario, 10.0, late), "recovery_time_s");

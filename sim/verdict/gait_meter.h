@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// gait_meter: what a gait came to: speed, steps, stance, flight, work, by the truth alone.
+//
+// Figures are told for each gait that the scenario asks for, over its whole strides. A stride goes
+// from a foot's touch-down to its next one; the foot is the one that steps first in the gait. A
+// gait begins with the first step that comes down from its start_s on, and the gait before ends
+// with it: by the clock, so that a robot that is late makes its last steps of a gait in the next
+// one's time. What comes before the first touch-down and after the last whole stride counts
+// nowhere, pushes in between do. A step is one that StepLog tells; a foot is in stance while it
+// bears load, 5 % of the weight; the robot flies while no foot is.
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "controller/types/gait_params.h"
+#include "controller/types/tick.h"
+#include "sim/verdict/stance_meter.h"
+#include "sim/verdict/step_log.h"
+#include "sim/verdict/verdict.h"
+#include "sim/world/world.h"
+
+namespace sidestep {
+
+/// The plant's own facts that the figures are told by.
+struct GaitPlant {
+  std::size_t num_feet{1};
+  double mass_kg{0.0};     ///< > 0.
+  bool has_motors{false};  ///< Without, nothing does work.
+};
+
+class GaitMeter {
+ public:
+  /// @param segments  In order of start_s. @param tick_s  Length of a tick.
+  GaitMeter(const std::vector<GaitParams>& segments, const GaitPlant& plant, double tick_s);
+
+  /// Takes one tick. @param stances  One a foot, having seen it. @param touch_downs  Those of this
+  /// tick.
+  void Add(Tick tick, const WorldTruth& truth, const std::vector<StanceMeter>& stances,
+           std::span<const TouchDown> touch_downs);
+
+  /// One a segment, in their order.
+  std::vector<GaitRecord> Records() const;
+
+  /// Of the last segment that is no stand; without whole strides, or if all stand, nothing is
+  /// measured.
+  GaitFigures LastMoving() const;
+
+  /// Share of the time of all walks, and not only of their whole strides, in which no foot bore
+  /// load; NaN without a walk. A walk lasts until the next gait begins.
+  double WalkFlightFraction() const;
+
+  /// The same of all whole strides of gaits that run or hop.
+  double RunFlightFraction() const;
+
+ private:
+  /// Sums from the first tick to a touch-down, and where the robot was then.
+  struct Mark {
+    Tick tick{0};
+    Eigen::Vector2d p_WC{Eigen::Vector2d::Zero()};
+    Eigen::Vector2d p_WF{Eigen::Vector2d::Zero()};  ///< Of the foot that came down.
+    int steps{0};
+    double stance_s{0.0};  ///< Of all feet together.
+    double flight_s{0.0};
+    double work_J{0.0};
+  };
+
+  struct Segment {
+    GaitParams gait;
+    std::optional<std::size_t> foot;  ///< That strides are counted by.
+    Mark first, last;
+    int strides{0};
+    double max_force_N{0.0};  ///< In them.
+    double duration_s{0.0};   ///< So far, from its begin.
+    double flight_s{0.0};     ///< In that.
+  };
+
+  std::size_t SegmentAt(Tick tick) const;
+  void NoteStep(const TouchDown& touch_down);
+  /// If it is the segment's foot that came down.
+  void CloseStride(std::size_t foot, const Mark& mark, Segment& segment) const;
+  void Integrate(const WorldTruth& truth, double dt_s);
+  GaitFigures FiguresOf(const Segment& segment) const;
+
+  std::vector<Segment> segments_;
+  std::size_t begun_{0};  // the segment under way
+  GaitPlant plant_;
+  double tick_s_;
+  Mark sums_;  // up to the last tick
+  std::optional<Tick> last_tick_;
+  int num_loaded_{0};                // feet, at the last tick
+  std::vector<double> max_force_N_;  // on any foot, since each foot's last step
+};
+
+}  // namespace sidestep
