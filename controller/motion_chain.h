@@ -28,10 +28,8 @@ class MotionChain {
   const ContactPlan& Schedule(const RobotState& state, Tick tick, StageTimer* timer);
 
   /// Whether the MPC solves at `tick`, for which Schedule() has been called: at its rate, and when
-  /// a foot has landed at another time than the plan in use has it.
-  bool SolvesAt(Tick tick) const {
-    return tick % mpc_period_ == 0 || planner_.has_landed_off_schedule();
-  }
+  /// a foot has landed before the plan in use has it.
+  bool SolvesAt(Tick tick) const { return tick % mpc_period_ == 0 || planner_.has_landed_early(); }
 
   /// Second link: solves the MPC if it is due, takes the newest plan that is old enough into use
   /// and hands its footholds back to the planner. Call every control tick.

@@ -33,9 +33,9 @@ GaitPlanner::GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Ti
 
 const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
   tick_ = tick;
-  has_landed_off_schedule_ = false;
   const auto moved = AfterTouchDownEvent(setup_, support_, state, tick, touch_downs_);
   if (moved) support_ = *moved;
+  has_landed_early_ = moved && NextSupport(setup_, support_)->tick == tick;
   TakeLandings(state);
   NoteFeltFeet(state);
   LayOutPlan();
@@ -63,7 +63,6 @@ void GaitPlanner::Land(GaitSupport* next) {
     NominalContact& landed = next->feet[foot].nominal;
     const int index = landed.contact.index;
     if (index == support_.feet[foot].nominal.contact.index) continue;
-    has_landed_off_schedule_ |= support_.orders.Moves(landed.sequence);
     landed.shift = ShiftOf(support_, landed.sequence);
     landed.contact.adjusted_p_WF = landed.contact.nominal_p_WF + landed.shift;
     if (const Decision* decision = DecisionOn(foot, index)) {

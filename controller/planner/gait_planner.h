@@ -54,9 +54,9 @@ class GaitPlanner {
 
   const ContactPlan& plan() const { return plan_; }
 
-  /// Whether a foot has landed at the last Update() that was due earlier or later: plans made
-  /// before do not know it.
-  bool has_landed_off_schedule() const { return has_landed_off_schedule_; }
+  /// Whether a foot has landed at the last Update() before its time: plans made before do not know
+  /// it. One that is waited for is in every plan, as about to land.
+  bool has_landed_early() const { return has_landed_early_; }
 
   /// The plan with its landings and CoM knots, as adjusted and shifted as the plan.
   const ContactSchedule& schedule() const { return schedule_; }
@@ -90,7 +90,7 @@ class GaitPlanner {
   Tick horizon_;
   TouchDownRule touch_downs_;
   Tick tick_{0};
-  bool has_landed_off_schedule_{false};
+  bool has_landed_early_{false};
   GaitSupport support_;
   std::array<bool, 2> is_felt_{};               // each foot's contact, at tick_
   std::vector<std::vector<Decision>> decided_;  // of each foot's contacts to come

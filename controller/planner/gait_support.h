@@ -43,13 +43,6 @@ struct GaitOrders {
   std::array<StepOrder, 2> next;      ///< Made in this order.
   std::optional<GaitParams> instead;  ///< Of all segments, from then on.
   std::array<TouchDownMove, 4> moves;
-
-  bool Moves(int sequence) const {
-    for (const TouchDownMove& move : moves) {
-      if (move.sequence == sequence) return true;
-    }
-    return false;
-  }
 };
 
 /// Where the gait is from `tick` to the next touch-down. A value: copies are independent.

@@ -96,7 +96,7 @@ class Planner {
     for (; tick_ < end; tick_ += kPeriod) {
       const bool is_down = tick_ < kLiftOff || tick_ >= contact_;
       planner_.Update(Loaded(is_down ? 200.0 : 0.0), tick_);
-      if (planner_.has_landed_off_schedule()) landings_.push_back(tick_);
+      if (planner_.has_landed_early()) landings_.push_back(tick_);
     }
   }
 
@@ -129,7 +129,7 @@ TEST(TouchDownEventsTest, PlannerWaitsAndGoesOnFromTheLanding) {
   EXPECT_EQ(planner.right().end_tick, 2040);
   EXPECT_TRUE(planner.landings().empty());
   planner.GoTo(2000);
-  EXPECT_EQ(planner.landings(), std::vector<Tick>{1840});
+  EXPECT_TRUE(planner.landings().empty()) << "every plan has had it as about to land";
   EXPECT_EQ(planner.right().end_tick, 2040);
 }
 
