@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "models/support/config_error.h"
 #include "sim/record/run_reader.h"
@@ -11,7 +12,14 @@
 namespace sidestep::plot {
 namespace {
 
-constexpr std::size_t kMostRows = 2000;  // two samples a pixel of the widest panel
+constexpr std::size_t kMostRows = 2000;       // two samples a pixel of the widest panel
+constexpr std::size_t kMostPhaseRows = 6000;  // the loops of a long run are drawn as such
+
+// Shorter is a bounce, or the first row, before the ground has pushed.
+constexpr double kShortestFlight_s = 0.02;
+
+// m or rad: what moves less, such as a planar robot to its side, has no portrait.
+constexpr double kStill = 1e-4;
 
 // Columns that the scripts draw. Reading checks that each is there.
 std::vector<std::string> PlottedColumns(const std::vector<std::string>& feet) {
@@ -42,19 +50,54 @@ std::vector<std::string> PlottedColumns(const std::vector<std::string>& feet) {
   return columns;
 }
 
-std::string Thinned(const CsvTable& trajectory, const std::vector<std::string>& columns) {
-  const std::size_t stride = (trajectory.num_rows() + kMostRows - 1) / kMostRows;
-  std::vector<std::vector<double>> values;
-  std::string csv;
-  for (const std::string& column : columns) {
-    values.push_back(trajectory.Numbers(column));
-    csv += (csv.empty() ? "" : ",") + column;
+struct NamedColumn {
+  std::string name;
+  std::vector<double> values;
+};
+
+std::vector<NamedColumn> ColumnsOf(const CsvTable& trajectory,
+                                   const std::vector<std::string>& names) {
+  std::vector<NamedColumn> columns;
+  for (const std::string& name : names) columns.push_back({name, trajectory.Numbers(name)});
+  return columns;
+}
+
+std::vector<double> RatesOf(const std::vector<double>& values, const std::vector<double>& time_s) {
+  std::vector<double> rates(values.size(), 0.0);
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    rates[i] = (values[i + 1] - values[i - 1]) / (time_s[i + 1] - time_s[i - 1]);
   }
+  return rates;
+}
+
+// Roll and pitch of the base (rad), yaw first, and their rates by differences.
+std::vector<NamedColumn> AttitudeColumns(const CsvTable& trajectory,
+                                         const std::vector<double>& time_s) {
+  const auto w = trajectory.Numbers("truth_q_WB_w"), x = trajectory.Numbers("truth_q_WB_x");
+  const auto y = trajectory.Numbers("truth_q_WB_y"), z = trajectory.Numbers("truth_q_WB_z");
+  std::vector<double> roll_rad, pitch_rad;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    const double up_y = 2.0 * (w[i] * x[i] + y[i] * z[i]);
+    const double up_z = 1.0 - 2.0 * (x[i] * x[i] + y[i] * y[i]);
+    roll_rad.push_back(std::atan2(up_y, up_z));
+    pitch_rad.push_back(std::asin(std::clamp(2.0 * (w[i] * y[i] - z[i] * x[i]), -1.0, 1.0)));
+  }
+  return {{"truth_roll_rad", roll_rad},
+          {"truth_roll_radps", RatesOf(roll_rad, time_s)},
+          {"truth_pitch_rad", pitch_rad},
+          {"truth_pitch_radps", RatesOf(pitch_rad, time_s)}};
+}
+
+std::string Thinned(const std::vector<NamedColumn>& columns, std::size_t most_rows) {
+  const std::size_t num_rows = columns.front().values.size();
+  const std::size_t stride = (num_rows + most_rows - 1) / most_rows;
+  std::string csv;
+  for (const NamedColumn& column : columns) csv += (csv.empty() ? "" : ",") + column.name;
   csv += "\n";
   char cell[32];
-  for (std::size_t row = 0; row < trajectory.num_rows(); row += stride) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double value = values[i][row];
+  for (std::size_t row = 0; row < num_rows; row += stride) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double value = columns[i].values[row];
       std::snprintf(cell, sizeof cell, "%s%.7g", i == 0 ? "" : ",", value);
       csv += std::isfinite(value) ? cell : (i == 0 ? "" : ",");  // gnuplot skips empty cells
     }
@@ -63,11 +106,63 @@ std::string Thinned(const CsvTable& trajectory, const std::vector<std::string>& 
   return csv;
 }
 
+// Where `holds` is true of a row, from its time to that of the first row after.
+template <typename Holds>
+std::vector<Stretch> StretchesOf(const std::vector<double>& time_s, Holds holds) {
+  std::vector<Stretch> stretches;
+  for (std::size_t row = 0; row < time_s.size(); ++row) {
+    const bool held_before = row > 0 && holds(row - 1);
+    if (held_before) stretches.back().end_s = time_s[row];
+    if (holds(row) && !held_before) stretches.push_back({time_s[row], time_s[row]});
+  }
+  return stretches;
+}
+
+void ReadContactsInto(const CsvTable& trajectory, const std::vector<double>& time_s,
+                      PlotData* data) {
+  std::vector<bool> stands(time_s.size(), false);
+  for (const std::string& foot : data->feet) {
+    const std::vector<double> truth = trajectory.Numbers("truth_contact_" + foot);
+    const std::vector<double> planned = trajectory.Numbers("planned_contact_" + foot);
+    const auto is_set = [](const std::vector<double>& flags) {
+      return [&flags](std::size_t row) { return flags[row] > 0.5; };  // an empty cell is NaN
+    };
+    data->contacts.push_back(
+        {StretchesOf(time_s, is_set(truth)), StretchesOf(time_s, is_set(planned))});
+    for (std::size_t row = 0; row < truth.size(); ++row) {
+      if (truth[row] > 0.5) stands[row] = true;
+    }
+  }
+  data->flights = StretchesOf(time_s, [&](std::size_t row) { return !stands[row]; });
+  std::erase_if(data->flights, [](const Stretch& flight) {
+    return flight.end_s - flight.start_s < kShortestFlight_s;
+  });
+}
+
+void ReadPhasesInto(const CsvTable& trajectory, const std::vector<double>& time_s, PlotData* data) {
+  std::vector<NamedColumn> columns = ColumnsOf(
+      trajectory,
+      {"time_s", "truth_p_WC_y_m", "truth_v_WC_y_mps", "truth_p_WC_z_m", "truth_v_WC_z_mps"});
+  for (NamedColumn& column : AttitudeColumns(trajectory, time_s)) {
+    columns.push_back(std::move(column));
+  }
+  data->phase_csv = Thinned(columns, kMostPhaseRows);
+  for (const NamedColumn& column : columns) {
+    const bool is_rate = column.name.ends_with("ps");
+    const auto [min, max] = std::minmax_element(column.values.begin(), column.values.end());
+    if (column.name == "time_s" || is_rate || !(*max - *min > kStill)) continue;
+    data->phases.push_back({column.name, *min, *max});
+  }
+}
+
 void ReadSummaryInto(const std::filesystem::path& run_dir, PlotData* data) {
   const RunSummary summary = ReadSummary(run_dir);
   data->title = summary.name + " (" + std::string(EnumName(summary.verdict)) + ")";
   for (const PushSummary& push : summary.pushes) {
     data->pushes.push_back({push.start_s, push.start_s + push.duration_s});
+  }
+  for (const GaitSummary& gait : summary.gaits) {
+    data->gaits.push_back({gait.start_s, std::string(EnumName(gait.type))});
   }
   const auto drawn = [](double ms) { return std::isfinite(ms) ? ms : 0.0; };
   data->deadline_ms = drawn(summary.solve_time.deadline_ms);
@@ -88,7 +183,9 @@ PlotData LoadPlotData(const std::filesystem::path& run_dir) {
   const std::vector<double> time_s = trajectory.Numbers("time_s");
   data.start_s = time_s.front();
   data.end_s = std::max(time_s.back(), time_s.front() + 1e-3);  // an axis needs a length
-  data.thinned_csv = Thinned(trajectory, PlottedColumns(data.feet));
+  ReadContactsInto(trajectory, time_s, &data);
+  data.thinned_csv = Thinned(ColumnsOf(trajectory, PlottedColumns(data.feet)), kMostRows);
+  ReadPhasesInto(trajectory, time_s, &data);
   data.has_footsteps = !ReadFootsteps(run_dir).empty();
   data.has_solves = CsvTable::Read(run_dir / "mpc.csv").num_rows() > 0;
   return data;

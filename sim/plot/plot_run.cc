@@ -36,6 +36,7 @@ void PlotRun(const std::filesystem::path& run_dir) {
   std::filesystem::create_directories(dir, failure);
   if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
   WriteText(dir / plot::kThinnedFile, data.thinned_csv);
+  WriteText(dir / plot::kPhaseFile, data.phase_csv);
   for (const plot::PlotScript& script : plot::AllScripts()) {
     const std::string file = script.name + ".gp";
     WriteText(dir / file, plot::Preamble(script.name) + script.body(data));

@@ -15,6 +15,7 @@ std::vector<PlotScript> AllScripts() {
   return {{"top_view", TopViewScript},  {"step_adjustment", AdjustmentScript},
           {"com", ComScript},           {"contact_forces", ContactForceScript},
           {"feet", FeetScript},         {"external_wrench", ExternalWrenchScript},
+          {"gait", GaitScript},         {"phase_portrait", PhasePortraitScript},
           {"momentum", MomentumScript}, {"mpc_time", SolveScript}};
 }
 
@@ -44,7 +45,7 @@ std::string StartPanels(const PlotData& data, const std::string& title, int rows
   script << "set xrange [" << data.start_s << ":" << data.end_s << "]\n"
          << "set xtics autofreq\n";
   int object = 1;
-  for (const PushWindow& push : data.pushes) {
+  for (const Stretch& push : data.pushes) {
     script << "set object " << object++ << " rectangle from " << push.start_s << ", graph 0 to "
            << push.end_s << ", graph 1 behind fillcolor rgb \"" << kPushColor
            << "\" fillstyle transparent solid 0.16 noborder  # push\n";

@@ -68,4 +68,10 @@ std::string AdjustmentScript(const PlotData& data);
 std::string ExternalWrenchScript(const PlotData& data);  ///< The push, true and believed.
 std::string FeetScript(const PlotData& data);            ///< Heights and centres of pressure.
 
+// gait_scripts.cc
+std::string GaitScript(const PlotData& data);  ///< When each foot stood, and was to.
+
+// phase_scripts.cc
+std::string PhasePortraitScript(const PlotData& data);  ///< CoM and base against their rates.
+
 }  // namespace sidestep::plot

@@ -70,8 +70,8 @@ TEST(PlotRunTest, EachPlotIsAWholeSvgAndAWholePngOfFullSize) {
 }
 
 TEST(PlotRunTest, PlotsOverTimeShadeThePush) {
-  for (const std::string name :
-       {"com", "contact_forces", "external_wrench", "feet", "momentum", "step_adjustment"}) {
+  for (const std::string name : {"com", "contact_forces", "external_wrench", "feet", "gait",
+                                 "momentum", "step_adjustment"}) {
     const std::string svg = TextOf(PlottedRun() / "plots" / (name + ".svg"));
     EXPECT_TRUE(Has(svg, "204,   0, 102") || Has(svg, "#cc0066") || Has(svg, "#CC0066")) << name;
     EXPECT_TRUE(Has(TextOf(PlottedRun() / "plots" / (name + ".gp")),
@@ -91,6 +91,10 @@ TEST(PlotRunTest, TitlesUnitsAndFeetAreWritten) {
   EXPECT_TRUE(Has(svg("external_wrench"), "moment about C"));
   EXPECT_TRUE(Has(svg("external_wrench"), "believed"));
   EXPECT_TRUE(Has(svg("feet"), "CoP, y from F (m)"));
+  EXPECT_TRUE(Has(svg("gait"), "right, planned"));
+  EXPECT_TRUE(Has(svg("gait"), "who stands when"));
+  EXPECT_TRUE(Has(svg("phase_portrait"), "before the first push"));
+  EXPECT_TRUE(Has(svg("phase_portrait"), "rate (rad/s)"));
   EXPECT_TRUE(Has(svg("mpc_time"), "deadline"));
   EXPECT_TRUE(Has(svg("mpc_time"), "iterations"));
 }
