@@ -183,6 +183,59 @@ void CheckPlane(const Scenario& scenario, const ConfigTree& root) {
           planner.min_step_width_m, 0.0);
 }
 
+/// How far in front of its frame, or behind, any foot's sole reaches (m).
+double SoleReach_m(const RobotDescription& robot) {
+  double reach_m = 0.0;
+  for (const FootDescription& foot : robot.feet) {
+    if (foot.vertices_m.cols() == 0) continue;
+    reach_m = std::max(reach_m, foot.vertices_m.row(0).cwiseAbs().maxCoeff());
+  }
+  return reach_m;
+}
+
+void CheckPatch(const GroundPatch& patch, const std::string& path, double start_reach_m,
+                const ConfigTree& root) {
+  if (patch.from_x_m >= patch.to_x_m) {
+    FailAtPath(root, path + ".to_x_m",
+               "= " + NumberText(patch.to_x_m) +
+                   " must lie beyond from_x_m = " + NumberText(patch.from_x_m));
+  }
+  if (patch.from_y_m >= patch.to_y_m) {
+    FailAtEither(root, path + ".to_y_m", path + ".from_y_m",
+                 "= " + NumberText(patch.to_y_m) +
+                     " must lie beyond from_y_m = " + NumberText(patch.from_y_m));
+  }
+  if (patch.from_x_m < start_reach_m && patch.to_x_m > -start_reach_m) {
+    FailAtPath(root, path,
+               "lies where the robot starts: its soles reach " + NumberText(start_reach_m) +
+                   " m from x = 0, either way");
+  }
+}
+
+bool Overlap(const GroundPatch& a, const GroundPatch& b) {
+  return a.from_x_m < b.to_x_m && b.from_x_m < a.to_x_m && a.from_y_m < b.to_y_m &&
+         b.from_y_m < a.to_y_m;
+}
+
+/// Whether the ground's patches are rectangles, clear of each other and of the robot's start.
+void CheckGround(const Scenario& scenario, const ConfigTree& root) {
+  const std::vector<GroundPatch>& ground = scenario.world.ground;
+  if (!ground.empty() && scenario.plant == Plant::kCentroidal) {
+    FailAtPath(root, "world.ground",
+               "means nothing on the centroidal plant, whose feet go where they are told; leave it "
+               "out, or write plant: mujoco");
+  }
+  const double start_reach_m = SoleReach_m(scenario.robot);
+  for (std::size_t i = 0; i < ground.size(); ++i) {
+    const std::string path = "world.ground." + std::to_string(i);
+    CheckPatch(ground[i], path, start_reach_m, root);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!Overlap(ground[i], ground[j])) continue;
+      FailAtPath(root, path, "overlaps world.ground." + std::to_string(j));
+    }
+  }
+}
+
 /// Parts that a push may name: the MJCF's, or the reduced model's on the centroidal plant.
 std::vector<std::string> PushableParts(const Scenario& scenario) {
   RobotDescription robot = scenario.robot;
@@ -222,6 +275,7 @@ void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
   CheckMpc(scenario.control.mpc, root);
   CheckGaits(scenario, root);
   CheckPlane(scenario, root);
+  CheckGround(scenario, root);
   CheckPushes(scenario, root);
 }
 

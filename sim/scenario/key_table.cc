@@ -46,7 +46,7 @@ class KeyCollector {
     AddMap(key, KeyKind::kMapOrList, GaitParams(), meaning);
   }
   void operator()(const char* key, const std::vector<Push>& /*field*/, Meaning meaning) {
-    AddMap(key, KeyKind::kList, PushEntry(), meaning);
+    AddMap(key, KeyKind::kPushes, PushEntry(), meaning);
   }
   void operator()(const char* key, const std::vector<Expectation>& /*field*/, Meaning meaning) {
     Add(key, KeyKind::kMetricsMap, "", meaning);
@@ -55,6 +55,10 @@ class KeyCollector {
     AddMap(key, KeyKind::kMapOrBool, field, meaning);
   }
 
+  template <typename T>
+  void operator()(const char* key, const std::vector<T>& /*field*/, Meaning meaning) {
+    AddMap(key, KeyKind::kList, T(), meaning);
+  }
   template <typename T>
   void operator()(const char* key, const T& field, Meaning meaning) {
     if constexpr (std::is_same_v<T, bool>) {
@@ -102,7 +106,8 @@ bool IsIndex(const std::string& part) {
 }
 
 bool IsListOfMaps(const KeyInfo& key) {
-  return key.kind == KeyKind::kList || key.kind == KeyKind::kMapOrList;
+  return key.kind == KeyKind::kList || key.kind == KeyKind::kPushes ||
+         key.kind == KeyKind::kMapOrList;
 }
 
 }  // namespace

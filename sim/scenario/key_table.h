@@ -23,6 +23,7 @@ enum class KeyKind {
   kMap,         ///< A map of `children`.
   kMapOrList,   ///< Such a map, or a list of at least one of them.
   kList,        ///< A list of such maps; may be empty.
+  kPushes,      ///< A list of maps that tell a force in one of two ways; may be empty.
   kMapOrBool,   ///< Such a map, or true or false.
   kMetricsMap,  ///< A map from metrics to what is expected of them.
 };

@@ -80,6 +80,15 @@ class FieldReader {
     field = static_cast<std::uint64_t>(node->Integer(0, kMax));
   }
 
+  /// A list of structs with fields of their own; an element starts from the defaults.
+  template <typename T>
+  void operator()(const char* key, std::vector<T>& field, Meaning meaning) {
+    const std::optional<ConfigNode> node = Find(key, meaning);
+    if (!node) return;
+    field.clear();
+    for (const ConfigNode& element : node->List()) ReadFields(element, field.emplace_back());
+  }
+
   /// Truth values, texts, enums by name; anything else is a struct with fields of its own and is
   /// read into its present values, so that a file may set one key of it.
   template <typename T>

@@ -110,6 +110,8 @@ Json ValueSchema(const KeyInfo& key) {
       return schema;
     }
     case KeyKind::kList:
+      return {{"type", "array"}, {"items", MapSchema(key)}};
+    case KeyKind::kPushes:
       return PushesSchema(key);
     case KeyKind::kMapOrBool:
       return MapSchema(key, {"object", "boolean"});

@@ -52,13 +52,13 @@ struct SectionWriter {
   }
 
   void operator()(const char* key, const std::vector<GaitParams>& gaits, Meaning /*meaning*/) {
-    WriteList(key, gaits);
+    yaml->List(key, gaits);
   }
 
   void operator()(const char* key, const std::vector<Push>& pushes, Meaning /*meaning*/) {
     std::vector<PushEntry> entries;
     for (const Push& push : pushes) entries.push_back({push, push.force_N, {}, {}});
-    WriteList(key, entries);
+    yaml->List(key, entries);
   }
 
   void operator()(const char* key, const std::vector<Expectation>& expectations,
@@ -72,21 +72,6 @@ struct SectionWriter {
     } else {
       yaml->Line(key, "false");
     }
-  }
-
-  template <typename T>
-  void WriteList(const char* key, const std::vector<T>& elements) {
-    if (elements.empty()) {
-      yaml->Line(key, "[]");
-      return;
-    }
-    yaml->Begin(key);
-    for (const T& element : elements) {
-      yaml->BeginElement();
-      yaml->Fields(element);
-      yaml->EndElement();
-    }
-    yaml->End();
   }
 };
 

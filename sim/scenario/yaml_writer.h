@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "controller/types/field.h"
 #include "models/support/config_node.h"
@@ -44,6 +45,22 @@ class YamlWriter {
   void BeginElement();
   void EndElement() { --depth_; }
 
+  /// Writes a list of structs with VisitFields.
+  template <typename T>
+  void List(std::string_view key, const std::vector<T>& elements) {
+    if (elements.empty()) {
+      Line(key, "[]");
+      return;
+    }
+    Begin(key);
+    for (const T& element : elements) {
+      BeginElement();
+      Fields(element);
+      EndElement();
+    }
+    End();
+  }
+
   /// Writes every field of a struct with VisitFields.
   template <typename T>
   void Fields(const T& value) {
@@ -72,6 +89,10 @@ class YamlWriter {
   }
   void operator()(const char* key, std::uint64_t value, Meaning /*meaning*/) {
     Line(key, std::to_string(value));
+  }
+  template <typename T>
+  void operator()(const char* key, const std::vector<T>& value, Meaning /*meaning*/) {
+    List(key, value);
   }
   /// Truth values, texts, enums by name; anything else is a struct, as a map under its key.
   template <typename T>

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+
+#include "sim/world/ground.h"
 
 namespace sidestep {
 namespace {
@@ -33,8 +36,10 @@ double TiltRad(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& up_B) {
   return std::atan2(up_W.head<2>().norm(), up_W.z());
 }
 
-FallMeter::FallMeter(const RobotDescription& robot, Plant plant, const VerdictParams& bounds)
+FallMeter::FallMeter(const RobotDescription& robot, Plant plant, const VerdictParams& bounds,
+                     std::vector<GroundPatch> ground)
     : bounds_(bounds),
+      ground_(std::move(ground)),
       is_centroidal_(plant == Plant::kCentroidal),
       up_B_(UprightAxis(robot, plant)),
       nominal_height_m_(is_centroidal_ ? robot.com_height_m : robot.base_height_m) {}
@@ -47,12 +52,14 @@ void FallMeter::Add(Tick tick, const WorldTruth& truth) {
   max_tilt_rad_ = std::max(max_tilt_rad_, tilt_rad_);
   if (fall_tick_) return;
 
+  const Eigen::Vector3d& watched_W = is_centroidal_ ? truth.p_WC : truth.p_WB;
+  const double over_ground_m = height_m - GroundHeight_m(ground_, watched_W.head<2>());
   const double lowest_m = bounds_.min_base_height_ratio * nominal_height_m_;
   if (truth.body_touches_ground) {
     cause_ = "a body other than a foot touches the ground";
-  } else if (height_m < lowest_m) {
-    cause_ =
-        Compared(is_centroidal_ ? "CoM height" : "base height", height_m, "below", lowest_m, "m");
+  } else if (over_ground_m < lowest_m) {
+    cause_ = Compared(is_centroidal_ ? "CoM height" : "base height", over_ground_m, "below",
+                      lowest_m, "m");
   } else if (tilt_rad_ > bounds_.max_tilt_rad) {
     cause_ = Compared("base tilt", tilt_rad_, "above", bounds_.max_tilt_rad, "rad");
   } else {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "controller/types/tick.h"
 #include "models/robot_description/robot_description.h"
@@ -24,11 +25,14 @@ double TiltRad(const Eigen::Quaterniond& q_WB,
 
 /// The first of these is the fall: a body other than a foot touches the ground, the base (the CoM
 /// on the centroidal plant) is below verdict.min_base_height_ratio of its nominal height, or it
-/// tilts beyond verdict.max_tilt_rad. Extremes go on being measured after it.
+/// tilts beyond verdict.max_tilt_rad. That height counts from the ground below it; the extremes,
+/// which go on being measured after the fall, from z = 0.
 class FallMeter {
  public:
   /// @param robot  The nominal one: its heights and its attitude at the start.
-  FallMeter(const RobotDescription& robot, Plant plant, const VerdictParams& bounds);
+  /// @param ground  Of the world.
+  FallMeter(const RobotDescription& robot, Plant plant, const VerdictParams& bounds,
+            std::vector<GroundPatch> ground = {});
 
   /// Takes the truth of one tick; it must be finite.
   void Add(Tick tick, const WorldTruth& truth);
@@ -46,6 +50,7 @@ class FallMeter {
 
  private:
   VerdictParams bounds_;
+  std::vector<GroundPatch> ground_;
   bool is_centroidal_;
   Eigen::Vector3d up_B_;     ///< UprightAxis().
   double nominal_height_m_;  ///< Of what is watched, by the robot's description.

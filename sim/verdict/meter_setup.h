@@ -19,10 +19,11 @@ struct MeterSetup {
   AskedGait gait;  ///< With the run's duration and the length of a tick.
   VerdictParams bounds;
   std::vector<Push> pushes;
-  double control_rate_hz{500.0};  ///< The path is sampled as often.
-  double plan_friction{0.0};      ///< Of MpcParams: for the controller's own metrics alone.
-  double mass_kg{0.0};            ///< Of the plant, > 0.
-  std::vector<JointInfo> joints;  ///< Of the plant.
+  std::vector<GroundPatch> ground;  ///< Of the world: heights count from it.
+  double control_rate_hz{500.0};    ///< The path is sampled as often.
+  double plan_friction{0.0};        ///< Of MpcParams: for the controller's own metrics alone.
+  double mass_kg{0.0};              ///< Of the plant, > 0.
+  std::vector<JointInfo> joints;    ///< Of the plant.
 };
 
 /// The setup of a run of `scenario` on a plant of this mass and these joints.

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "models/support/require.h"
 #include "sim/verdict/sole_meter.h"
+#include "sim/world/ground.h"
 
 namespace sidestep {
 namespace {
@@ -22,7 +24,9 @@ constexpr double kOnTime_s = 0.1;
 
 }  // namespace
 
-StepLog::StepLog(const std::vector<FootDescription>& feet, double tick_s) : tick_s_(tick_s) {
+StepLog::StepLog(const std::vector<FootDescription>& feet, double tick_s,
+                 std::vector<GroundPatch> ground)
+    : tick_s_(tick_s), ground_(std::move(ground)) {
   feet_.resize(feet.size());
   for (std::size_t i = 0; i < feet.size(); ++i) feet_[i].description = feet[i];
 }
@@ -48,7 +52,8 @@ void StepLog::Add(Tick tick, const WorldTruth& truth, const std::vector<StanceMe
       latest.end_tick = tick + 1;
       latest.slip_m = std::max(latest.slip_m, stance_slip_m[i]);
     } else {
-      foot.apex_m = std::max(foot.apex_m, SoleHeight_m(foot.description, foot_truth));
+      foot.apex_m = std::max(foot.apex_m, SoleHeight_m(foot.description, foot_truth) -
+                                              GroundHeight_m(ground_, foot_truth.p_WF.head<2>()));
     }
   }
 }

@@ -22,6 +22,7 @@
 #include "controller/types/tick.h"
 #include "models/robot_description/robot_description.h"
 #include "sim/scenario/nominal_motion.h"
+#include "sim/scenario/world_params.h"
 #include "sim/verdict/stance_meter.h"
 #include "sim/world/world.h"
 
@@ -43,8 +44,9 @@ struct TouchDown {
 class StepLog {
  public:
   /// @param feet  The robot's, in the order of every other vector of feet. @param tick_s  Length of
-  /// a tick.
-  StepLog(const std::vector<FootDescription>& feet, double tick_s);
+  /// a tick. @param ground  Of the world; heights of soles count from what lies below the foot.
+  StepLog(const std::vector<FootDescription>& feet, double tick_s,
+          std::vector<GroundPatch> ground = {});
 
   /// Takes one tick. @param stances  One a foot, having seen it. @param stance_slip_m  Likewise, as
   /// SlipMeter tells. @param nominal  Of the same robot.
@@ -81,6 +83,7 @@ class StepLog {
                                      const NominalMotion& nominal) const;
 
   double tick_s_;
+  std::vector<GroundPatch> ground_;
   std::vector<Foot> feet_;
   std::vector<TouchDown> touch_downs_;
   double min_swing_clearance_m_{std::numeric_limits<double>::infinity()};

@@ -4,14 +4,20 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "models/mjcf/ground.h"
+#include "models/support/config_node.h"
 #include "sim/scenario/scenario.h"
+#include "sim/world/box_contacts.h"
+#include "sim/world/ground.h"
 
 namespace sidestep {
 namespace {
 
 constexpr double kFootPlateThickness_m = 0.02;  // of the centroidal plant's drawn feet
+constexpr double kSlabDepth_m = 1.0;            // deeper than any foot gets, so its top is nearest
+constexpr int kWorldBody = 0;                   // carries the ground
 
 // Sky, light and how they look.
 std::string Surroundings() {
@@ -36,12 +42,36 @@ std::string Surroundings() {
 )";
 }
 
+std::string SlabGeom(std::size_t slab) {
+  return std::string(kGroundGeom) + "_" + std::to_string(slab);
+}
+
 // The foot's geoms have a higher priority than the ground, so that their own contact parameters
 // hold; sliding friction is set on every geom afterwards.
-void WriteGround(std::ostream& xml) {
-  xml << "<worldbody><geom name=\"" << kGroundGeom << "\" type=\"plane\" size=\"0 0 0.5\""
-      << " material=\"floor\" condim=\"3\" contype=\"1\" conaffinity=\"1\" "
-         "group=\"0\"/></worldbody>";
+void WriteGroundGeom(const std::string& name, const std::string& shape, std::ostream& xml) {
+  xml << "<geom name=\"" << name << "\" " << shape
+      << " material=\"floor\" condim=\"3\" contype=\"1\" conaffinity=\"1\" group=\"0\"/>";
+}
+
+// A plane at the lowest height, and boxes whose tops are what lies higher.
+void WriteGround(const std::vector<GroundPatch>& ground, std::ostream& xml) {
+  std::ostringstream plane;
+  plane << "type=\"plane\" size=\"0 0 0.5\"";
+  if (!ground.empty()) plane << " pos=\"0 0 " << NumberText(LowestGround_m(ground)) << "\"";
+  xml << "<worldbody>";
+  WriteGroundGeom(kGroundGeom, plane.str(), xml);
+  const std::vector<GroundSlab> slabs = GroundSlabs(ground);
+  for (std::size_t i = 0; i < slabs.size(); ++i) {
+    const GroundSlab& slab = slabs[i];
+    std::ostringstream box;
+    box << "type=\"box\" size=\"" << NumberText(0.5 * (slab.to_x_m - slab.from_x_m)) << " "
+        << NumberText(0.5 * (slab.to_y_m - slab.from_y_m)) << " " << 0.5 * kSlabDepth_m
+        << "\" pos=\"" << NumberText(0.5 * (slab.from_x_m + slab.to_x_m)) << " "
+        << NumberText(0.5 * (slab.from_y_m + slab.to_y_m)) << " "
+        << NumberText(slab.height_m - 0.5 * kSlabDepth_m) << "\"";
+    WriteGroundGeom(SlabGeom(i), box.str(), xml);
+  }
+  xml << "</worldbody>";
 }
 
 // Half extents of the rectangle that holds the foot's vertices.
@@ -73,17 +103,30 @@ std::string CentroidalStandIn(const RobotDescription& robot) {
 
 // A URDF's shapes touch only what is listed, so its world names the pairs: MuJoCo's search for
 // others (a sweep over all bodies, sorted anew) takes a fifth of the iCub's step and finds none.
-std::string ListedContacts(const RobotModel& model) {
+// The pairs are the plane's; each slab has the same.
+std::string ListedContacts(const RobotModel& model, const std::vector<GroundPatch>& ground) {
   if (model.ground_pairs.empty()) return {};
-  return "<option collision=\"predefined\"/><contact>" + model.ground_pairs + "</contact>";
+  std::string pairs = model.ground_pairs;
+  const std::string plane = "geom1=\"" + std::string(kGroundGeom) + "\"";
+  for (std::size_t i = 0; i < GroundSlabs(ground).size(); ++i) {
+    std::string slab_pairs = model.ground_pairs;
+    const std::string slab = "geom1=\"" + SlabGeom(i) + "\"";
+    for (std::size_t at = 0; (at = slab_pairs.find(plane, at)) != std::string::npos;) {
+      slab_pairs.replace(at, plane.size(), slab);
+    }
+    pairs += slab_pairs;
+  }
+  return "<option collision=\"predefined\"/><contact>" + pairs + "</contact>";
 }
 
 // Sliding friction of the ground with everything.
 void SetFriction(double friction, mjModel* model) {
   for (int geom = 0; geom < model->ngeom; ++geom) model->geom_friction[3 * geom] = friction;
-  const int ground = mj_name2id(model, mjOBJ_GEOM, kGroundGeom);
   for (int pair = 0; pair < model->npair; ++pair) {
-    if (model->pair_geom1[pair] != ground && model->pair_geom2[pair] != ground) continue;
+    if (model->geom_bodyid[model->pair_geom1[pair]] != kWorldBody &&
+        model->geom_bodyid[model->pair_geom2[pair]] != kWorldBody) {
+      continue;
+    }
     model->pair_friction[5 * pair] = friction;
     model->pair_friction[5 * pair + 1] = friction;
   }
@@ -110,11 +153,17 @@ MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
   std::ostringstream xml;
   xml << "<mujoco model=\"" << name << "_world\">"
       << "<option timestep=\"" << params.step_s << "\" integrator=\"Euler\"/>" << Surroundings();
-  WriteGround(xml);
+  WriteGround(params.ground, xml);
   xml << inhabitant.xml << "</mujoco>";
   MjModelPtr model = CompileMjcf(xml.str(), inhabitant.robot_xml, inhabitant.file);
   SetFriction(params.friction, model.get());
   ScaleMasses(params.mass_scale, model.get());
+  if (params.ground.empty()) return model;
+  DropImpossibleBoxContacts();
+  // Slabs reach far, but light and camera go by the size of what stands on the ground.
+  WorldParams level = params;
+  level.ground.clear();
+  model->stat = Compile(name, inhabitant, level)->stat;
   return model;
 }
 
@@ -123,10 +172,10 @@ MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
 MjModelPtr CompileRobotWorld(const RobotDescription& robot, const WorldParams& params,
                              ModelDetail detail) {
   const RobotModel& model = RequireModel(robot);
-  return Compile(
-      robot.name,
-      {"<include file=\"robot.xml\"/>" + ListedContacts(model), model.mjcf(detail), model.file},
-      params);
+  return Compile(robot.name,
+                 {"<include file=\"robot.xml\"/>" + ListedContacts(model, params.ground),
+                  model.mjcf(detail), model.file},
+                 params);
 }
 
 MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldParams& params) {

@@ -39,6 +39,39 @@ TEST_F(CheckScenarioTest, Plant) {
             "write plant: centroidal");
 }
 
+TEST_F(CheckScenarioTest, GroundIsMadeOfRectanglesClearOfTheStartAndOfEachOther) {
+  const auto error = [&](const std::string& patches) {
+    return ErrorOfEdit("friction: 0.9", "ground: [" + patches + "]");
+  };
+  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: -0.02}, {from_x_m: 2, to_x_m: 3, height_m: "
+                  "0.5}, {from_x_m: -9, to_x_m: -1, from_y_m: 0, to_y_m: 1, height_m: 0}"),
+            "no error")
+      << "patches may touch";
+  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 1, height_m: 0.1}"),
+            "a.yaml:15:35: error: world.ground.0.to_x_m = 1 must lie beyond from_x_m = 1");
+  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, from_y_m: 100, height_m: 0.1}"),
+            "a.yaml:15:48: error: world.ground.0.to_y_m = 100 must lie beyond from_y_m = 100");
+  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: 0.6}"),
+            "a.yaml:15:48: error: world.ground.0.height_m = 0.6 is out of range [-0.5, 0.5]");
+  EXPECT_EQ(error("{from_x_m: 1, height_m: 0.1}"),
+            "a.yaml:15:18: error: world.ground.0 lacks the required key to_x_m");
+  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: 0.1}, {from_x_m: 1.9, to_x_m: 3, height_m: "
+                  "0.1}"),
+            "a.yaml:15:59: error: world.ground.1 overlaps world.ground.0");
+  EXPECT_EQ(error("{from_x_m: -1, to_x_m: 0.1, height_m: 0.1}"),
+            "a.yaml:15:18: error: world.ground.0 lies where the robot starts: its soles reach 0 m "
+            "from x = 0, either way");
+}
+
+TEST_F(CheckScenarioTest, TheCentroidalPlantHasLevelGround) {
+  EXPECT_EQ(ErrorIn(valid_, Together(kWalker,
+                                     "world.ground=[{from_x_m: 1, to_x_m: 2, height_m: "
+                                     "0.1}]")),
+            "--set world.ground=[{from_x_m: 1, to_x_m: 2, height_m: 0.1}]: error: world.ground "
+            "means nothing on the centroidal plant, whose feet go where they are told; leave it "
+            "out, or write plant: mujoco");
+}
+
 TEST_F(CheckScenarioTest, TheCentroidalPlantNeedsAMass) {
   EXPECT_EQ(
       ErrorIn("sidestep: 1\nname: a\nrobot: mini\nplant: centroidal\nduration_s: 1\n"),

@@ -38,13 +38,22 @@ std::string ErrorOfPrefix(const std::string& prefix) {
 
 TEST(KeyTextTest, TellsUnitRangeDefaultAndMeaning) {
   EXPECT_EQ(KeysText("world"),
-            "KEY               UNIT  RANGE          DEFAULT  MEANING\n"
-            "world                                           the simulated world\n"
-            "world.friction          0 to 10        0.8      sliding coefficient between foot and "
-            "floor\n"
-            "world.step_s      s     1e-05 to 0.02  0.001    one physics step\n"
-            "world.mass_scale        0.5 to 2       1        every mass and inertia of the plant "
-            "over what the controller takes it for\n");
+            "KEY                      UNIT  RANGE          DEFAULT   MEANING\n"
+            "world                                                   the simulated world\n"
+            "world.friction                 0 to 10        0.8       sliding coefficient between "
+            "foot and floor\n"
+            "world.step_s             s     1e-05 to 0.02  0.001     one physics step\n"
+            "world.mass_scale               0.5 to 2       1         every mass and inertia of the "
+            "plant over what the controller takes it for\n"
+            "world.ground                                            patches of the ground that "
+            "are not level with the rest\n"
+            "world.ground[].from_x_m  m     -100 to 100    required  where it begins; the robot "
+            "starts at 0\n"
+            "world.ground[].to_x_m    m     -100 to 100    required  where it ends\n"
+            "world.ground[].from_y_m  m     -100 to 100    -100      its right side\n"
+            "world.ground[].to_y_m    m     -100 to 100    100       its left side\n"
+            "world.ground[].height_m  m     -0.5 to 0.5    required  over the rest of the ground; "
+            "negative: a hole\n");
 }
 
 TEST(KeyTextTest, OneKeyIsOneRow) {

@@ -21,7 +21,7 @@ class ScenarioSchemaTest : public ScenarioFixture {
  protected:
   /// What the schema says of the valid scenario under one override; "" if nothing.
   std::string FaultOfSet(const std::string& assignment) const {
-    ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", valid_));
+    ConfigTree root = ReadConfigFile(folder_.Write("a.yaml", full_));
     ApplyOverride(assignment, &root);
     return schema_.Fault(JsonOf(root));
   }
@@ -29,7 +29,7 @@ class ScenarioSchemaTest : public ScenarioFixture {
   /// Schema and reader refuse alike, and the reader because of the value that was set.
   void ExpectRefused(const std::string& assignment) const {
     EXPECT_NE(FaultOfSet(assignment), "") << assignment;
-    const std::string error = ErrorOfSet(assignment);
+    const std::string error = ErrorIn(full_, {assignment});
     EXPECT_TRUE(error.starts_with("--set " + assignment + ": error: "))
         << assignment << ": " << error;
   }
@@ -38,14 +38,21 @@ class ScenarioSchemaTest : public ScenarioFixture {
   /// other keys is another matter.
   void ExpectInRange(const std::string& assignment) const {
     EXPECT_EQ(FaultOfSet(assignment), "") << assignment;
-    const std::string error = ErrorOfSet(assignment);
+    const std::string error = ErrorIn(full_, {assignment});
     for (const char* complaint : {"violates", "is not a", "must be a", "greater than"}) {
       EXPECT_EQ(error.find(complaint), std::string::npos) << error;
     }
   }
 
+  /// The valid scenario with an element in every list.
+  const std::string full_ = Edit(
+      valid_, "friction: 0.9", "friction: 0.9, ground: [{from_x_m: 1, to_x_m: 2, height_m: 0.1}]");
   const JsonSchema schema_{ScenarioSchema()};
 };
+
+bool IsListOfMaps(const KeyInfo& key) {
+  return key.kind == KeyKind::kList || key.kind == KeyKind::kPushes;
+}
 
 /// Calls act(path, key) for every key, with a path that `--set` takes in the valid scenario, whose
 /// first push has a force_N and whose second a magnitude.
@@ -55,7 +62,7 @@ void ForEachKey(const std::string& path, const KeyInfo& key,
   for (const KeyInfo& child : key.children) {
     std::string parent = path.empty() ? "" : path + ".";
     const bool is_polar = child.name == "magnitude_N" || child.name == "direction_rad";
-    if (key.kind == KeyKind::kList) parent += is_polar ? "1." : "0.";
+    if (IsListOfMaps(key)) parent += is_polar ? "1." : "0.";
     ForEachKey(parent + child.name, child, act);
   }
 }
@@ -135,7 +142,8 @@ TEST_F(ScenarioSchemaTest, EveryChoiceAndDefaultIsAccepted) {
   ForEachKey("", ScenarioKeys(), [&](const std::string& path, const KeyInfo& key) {
     for (const std::string& choice : key.choices) {
       EXPECT_EQ(FaultOfSet(path + "=" + choice), "");
-      EXPECT_EQ(ErrorOfSet(path + "=" + choice).find("is not known"), std::string::npos) << path;
+      EXPECT_EQ(ErrorIn(full_, {path + "=" + choice}).find("is not known"), std::string::npos)
+          << path;
     }
     if (!key.default_value.empty()) ExpectInRange(path + "=" + key.default_value);
   });
@@ -145,7 +153,7 @@ TEST_F(ScenarioSchemaTest, AnUnknownKeyIsRefusedInEveryMap) {
   int maps = 0;
   ForEachKey("", ScenarioKeys(), [&](const std::string& path, const KeyInfo& key) {
     if (!key.has_children() && key.kind != KeyKind::kMetricsMap) return;
-    const std::string map = path.empty() ? "" : path + (key.kind == KeyKind::kList ? ".0." : ".");
+    const std::string map = path.empty() ? "" : path + (IsListOfMaps(key) ? ".0." : ".");
     ExpectRefused(map + "no_such_key=1");
     ++maps;
   });

@@ -24,6 +24,11 @@ class Randomize {
   void operator()(const char* /*key*/, Eigen::Vector3d& field, Range range, Meaning /*meaning*/) {
     for (double& entry : field) entry = Draw(range);
   }
+  // Two that are clear of each other and of the robot's start.
+  void operator()(const char* /*key*/, std::vector<GroundPatch>& field, Meaning /*meaning*/) {
+    field = {{-2.0, Draw({-1.9, -1.0}), Draw({-9.0, 0.0}), Draw({0.1, 9.0}), Draw({-0.5, 0.5})},
+             {Draw({1.0, 2.0}), 2.1, -kGroundReach_m, 0.0, Draw({-0.5, 0.5})}};
+  }
   template <typename T>
   void operator()(const char* /*key*/, T& field, Meaning /*meaning*/) {
     if constexpr (std::is_same_v<T, bool>) {
@@ -53,6 +58,10 @@ struct Collect {
   void operator()(const char* key, const Eigen::Vector3d& field, Range /*range*/,
                   Meaning /*meaning*/) {
     for (const double entry : field) Add(key, entry);
+  }
+  void operator()(const char* key, const std::vector<GroundPatch>& field, Meaning /*meaning*/) {
+    Add(key, static_cast<double>(field.size()));
+    for (const GroundPatch& patch : field) GroundPatch::VisitFields(patch, *this);
   }
   template <typename T>
   void operator()(const char* key, const T& field, Meaning /*meaning*/) {

@@ -21,7 +21,7 @@ using Motion = std::function<void(Tick, WorldTruth&)>;
 StepLog LogOf(const Scenario& scenario, Tick end, const Motion& motion) {
   const NominalMotion nominal = NominalOf(scenario);
   const auto& feet = scenario.robot.feet;
-  StepLog log(feet, kTick_s);
+  StepLog log(feet, kTick_s, scenario.world.ground);
   std::vector<StanceMeter> stances(feet.size(), StanceMeter(kTick_s, kMinLoad_N));
   for (Tick tick = 0; tick <= end; ++tick) {
     WorldTruth truth = StandingTruth(scenario);
@@ -181,6 +181,17 @@ TEST(StepLogTest, LowSwingThatGoesSomewhereSetsTheClearance) {
     if (tick >= 500 && tick < 600) Lift(truth.feet[0], 0.05);
   });
   EXPECT_NEAR(log.min_swing_clearance_m(), 0.002, 1e-12);
+}
+
+TEST(StepLogTest, ClearanceCountsFromTheGroundBelowTheFoot) {
+  Scenario scenario = OneFootScenario();
+  scenario.world.ground = {{0.5, 1.5, -1.0, 1.0, 0.03}};
+  const StepLog log = LogOf(scenario, 1000, [](Tick tick, WorldTruth& truth) {
+    if (tick >= 200) truth.feet[0].p_WF.x() = 1.0;
+    truth.feet[0].p_WF.z() = tick >= 200 ? 0.05 : 0.02;
+    if (tick >= 200 && tick < 300) Lift(truth.feet[0], 0.07);
+  });
+  EXPECT_NEAR(log.min_swing_clearance_m(), 0.04, 1e-12);
 }
 
 TEST(StepLogTest, TruthOfAnotherRobotBreaksTheContract) {
