@@ -79,7 +79,9 @@ TEST(UnevenWorldTest, GeomsLieWhereThePatchesSayAndRubAsTheSettingSays) {
     const double top_m = model->geom_pos[3 * geom + 2] + model->geom_size[3 * geom + 2];
     const bool is_step = std::abs(top_m - 0.04) < 1e-12;
     EXPECT_TRUE(is_step || std::abs(top_m) < 1e-12) << top_m;
-    if (is_step) EXPECT_EQ(model->geom_pos[3 * geom], 2.5);
+    if (is_step) {
+      EXPECT_EQ(model->geom_pos[3 * geom], 2.5);
+    }
     has_step = has_step || is_step;
   }
   EXPECT_TRUE(has_step);
