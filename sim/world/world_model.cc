@@ -143,9 +143,10 @@ void ScaleMasses(double scale, mjModel* model) {
 
 /// What is written into a world's document beside its surroundings.
 struct Inhabitant {
-  std::string xml;             ///< May include robot.xml.
-  std::string robot_xml;       ///< Text of robot.xml; empty: none is included.
-  std::filesystem::path file;  ///< Named where it does not compile.
+  std::string xml;                   ///< May include robot.xml.
+  std::string robot_xml;             ///< Text of robot.xml; empty: none is included.
+  std::filesystem::path file;        ///< Named where it does not compile.
+  const RobotModel* model{nullptr};  ///< Whose listed contacts it has; may be null.
 };
 
 MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
@@ -154,7 +155,9 @@ MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
   xml << "<mujoco model=\"" << name << "_world\">"
       << "<option timestep=\"" << params.step_s << "\" integrator=\"Euler\"/>" << Surroundings();
   WriteGround(params.ground, xml);
-  xml << inhabitant.xml << "</mujoco>";
+  xml << inhabitant.xml;
+  if (inhabitant.model != nullptr) xml << ListedContacts(*inhabitant.model, params.ground);
+  xml << "</mujoco>";
   MjModelPtr model = CompileMjcf(xml.str(), inhabitant.robot_xml, inhabitant.file);
   SetFriction(params.friction, model.get());
   ScaleMasses(params.mass_scale, model.get());
@@ -173,13 +176,11 @@ MjModelPtr CompileRobotWorld(const RobotDescription& robot, const WorldParams& p
                              ModelDetail detail) {
   const RobotModel& model = RequireModel(robot);
   return Compile(robot.name,
-                 {"<include file=\"robot.xml\"/>" + ListedContacts(model, params.ground),
-                  model.mjcf(detail), model.file},
-                 params);
+                 {"<include file=\"robot.xml\"/>", model.mjcf(detail), model.file, &model}, params);
 }
 
 MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldParams& params) {
-  return Compile(robot.name, {CentroidalStandIn(robot), "", robot.file}, params);
+  return Compile(robot.name, {CentroidalStandIn(robot), "", robot.file, nullptr}, params);
 }
 
 MjModelPtr CompileDrawnWorld(const Scenario& scenario) {

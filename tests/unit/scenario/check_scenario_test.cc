@@ -48,13 +48,13 @@ TEST_F(CheckScenarioTest, GroundIsMadeOfRectanglesClearOfTheStartAndOfEachOther)
             "no error")
       << "patches may touch";
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 1, height_m: 0.1}"),
-            "a.yaml:15:35: error: world.ground.0.to_x_m = 1 must lie beyond from_x_m = 1");
+            "a.yaml:15:40: error: world.ground.0.to_x_m = 1 must lie beyond from_x_m = 1");
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, from_y_m: 100, height_m: 0.1}"),
-            "a.yaml:15:48: error: world.ground.0.to_y_m = 100 must lie beyond from_y_m = 100");
+            "a.yaml:15:53: error: world.ground.0.to_y_m = 100 must lie beyond from_y_m = 100");
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: 0.6}"),
-            "a.yaml:15:48: error: world.ground.0.height_m = 0.6 is out of range [-0.5, 0.5]");
+            "a.yaml:15:53: error: world.ground.0.height_m = 0.6 violates -0.5 <= height_m <= 0.5");
   EXPECT_EQ(error("{from_x_m: 1, height_m: 0.1}"),
-            "a.yaml:15:18: error: world.ground.0 lacks the required key to_x_m");
+            "a.yaml:15:18: error: world.ground.0.to_x_m is missing (required)");
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: 0.1}, {from_x_m: 1.9, to_x_m: 3, height_m: "
                   "0.1}"),
             "a.yaml:15:59: error: world.ground.1 overlaps world.ground.0");

@@ -73,9 +73,10 @@ TEST(KeyTextTest, AnUnknownPrefixNamesTheNearestKey) {
   EXPECT_EQ(ErrorOfPrefix("contrl.mpc"),
             "error: contrl is not a known key; did you mean 'control'?");
   EXPECT_EQ(ErrorOfPrefix("world.colour"),
-            "error: world.colour is not a known key; known keys: friction, step_s, mass_scale");
+            "error: world.colour is not a known key; known keys: friction, step_s, mass_scale, "
+            "ground");
   EXPECT_EQ(ErrorOfPrefix("world.0"),
-            "error: world.0 is not a known key; known keys: friction, step_s, mass_scale")
+            "error: world.0 is not a known key; known keys: friction, step_s, mass_scale, ground")
       << "only lists have elements";
   EXPECT_EQ(ErrorOfPrefix("seed.low"), "error: seed.low is not a known key; known keys: none");
 }

@@ -100,7 +100,7 @@ TEST_F(RenamedKeysTest, ErrorsInsideNameThePresentKey) {
 TEST_F(RenamedKeysTest, OnlyTheControlBlockHasRenamedKeys) {
   EXPECT_EQ(ErrorOfSet("world.wbc=1"),
             "--set world.wbc=1: error: world.wbc is not a known key; known keys: friction, step_s, "
-            "mass_scale");
+            "mass_scale, ground");
   EXPECT_EQ(ErrorOfSet("control.wbcs=1").find("note"), std::string::npos);
   EXPECT_NE(ErrorOfSet("control.wbcs=1"), "no error");
 }
