@@ -93,8 +93,8 @@ TEST(TrajectoryTableTest, ABeliefWithoutAPlanAndAPlanWithoutABeliefAreToldApart)
       EXPECT_NE(cell + planned.at(name), "") << "either tells of a controller that thinks";
       continue;
     }
-    EXPECT_EQ(cell != "", IsBelief(name)) << name;
-    EXPECT_EQ(planned.at(name) != "", !IsBelief(name)) << name;
+    EXPECT_EQ(!cell.empty(), IsBelief(name)) << name;
+    EXPECT_EQ(!planned.at(name).empty(), !IsBelief(name)) << name;
   }
 }
 

@@ -71,7 +71,7 @@ class JsonSchema {
   static std::string Fault(const Json& schema, const Json& value, const std::string& path) {
     if (schema.is_boolean()) return schema.get<bool>() ? "" : path + " is forbidden";
     for (const auto& [word, rule] : schema.items()) {
-      const std::string fault = FaultOf(word, rule, schema, value, path);
+      std::string fault = FaultOf(word, rule, schema, value, path);
       if (!fault.empty()) return fault;
     }
     return "";
@@ -120,7 +120,7 @@ class JsonSchema {
                                  const Json& value, const std::string& path) {
     if (word == "items" && value.is_array()) {
       for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::string fault = Fault(rule, value[i], path + std::to_string(i) + "/");
+        std::string fault = Fault(rule, value[i], path + std::to_string(i) + "/");
         if (!fault.empty()) return fault;
       }
     } else if ((word == "properties" || word == "additionalProperties") && value.is_object()) {
@@ -128,7 +128,7 @@ class JsonSchema {
       for (const auto& [key, each] : value.items()) {
         const bool is_known = properties != schema.end() && properties->contains(key);
         if (is_known != (word == "properties")) continue;
-        const std::string fault = Fault(is_known ? rule[key] : rule, each, path + key + "/");
+        std::string fault = Fault(is_known ? rule[key] : rule, each, path + key + "/");
         if (!fault.empty()) return fault;
       }
     } else if (word != "items" && word != "properties" && word != "additionalProperties") {

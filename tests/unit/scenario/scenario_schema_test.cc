@@ -69,7 +69,7 @@ void ForEachKey(const std::string& path, const KeyInfo& key,
 
 /// `value` as the key spells a number: alone, or as every entry of its list.
 std::string Spelled(const KeyInfo& key, double value) {
-  const std::string text = NumberText(value);
+  std::string text = NumberText(value);
   if (key.kind == KeyKind::kVector) return "[" + text + ", " + text + ", " + text + "]";
   if (key.kind == KeyKind::kPixelSize) return "[" + text + ", " + text + "]";
   return text;

@@ -82,7 +82,8 @@ TEST_P(WholeBodyCopyTest, InverseDynamicsAndItsCloneGiveTheSameTorques) {
   const std::unique_ptr<WholeBody> clone = original.Clone();
   for (int tick = 0; tick < 30; ++tick) {
     draw();
-    const RigidBody elsewhere(body);  // the clone holds no pointer to the original's
+    // The clone holds no pointer to the original's.
+    const RigidBody elsewhere(body);  // NOLINT(performance-unnecessary-copy-initialization)
     original.Solve(state, body, {}, feet, &command);
     clone->Solve(state, elsewhere, {}, feet, &copied);
     ASSERT_EQ(copied.torque_Nm, command.torque_Nm) << tick;
