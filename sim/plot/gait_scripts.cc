@@ -12,14 +12,20 @@ namespace {
 // As many steps of a foot as a row of the diagram shows well; a long run is broken into rows.
 constexpr double kStepsARow = 12.0;
 constexpr int kMostRows = 4;
+constexpr double kShortestStep_s = 0.05;  // shorter, a foot chatters
 
 // Heights of the bars about a foot's line, which are 1 apart.
 constexpr double kTruthTop = 0.36, kTruthBottom = -0.04;
 constexpr double kPlannedTop = -0.10, kPlannedBottom = -0.30;
 
 int RowsOf(const PlotData& data) {
-  std::size_t steps = 0;
-  for (const FootContacts& foot : data.contacts) steps = std::max(steps, foot.truth.size());
+  const auto is_step = [](const Stretch& stance) {
+    return stance.end_s - stance.start_s >= kShortestStep_s;
+  };
+  std::ptrdiff_t steps = 0;
+  for (const FootContacts& foot : data.contacts) {
+    steps = std::max(steps, std::count_if(foot.truth.begin(), foot.truth.end(), is_step));
+  }
   return std::clamp(static_cast<int>(std::ceil(static_cast<double>(steps) / kStepsARow)), 1,
                     kMostRows);
 }
