@@ -16,6 +16,7 @@ constexpr double kShortestStep_s = 0.05;  // shorter, a foot chatters
 
 // Heights of the bars about a foot's line, which are 1 apart.
 constexpr double kTruthTop = 0.36, kTruthBottom = -0.04;
+constexpr double kNamesTop = 0.9;  // above it, room for the gaits' names
 constexpr double kPlannedTop = -0.10, kPlannedBottom = -0.30;
 
 int RowsOf(const PlotData& data) {
@@ -73,8 +74,8 @@ void SetLines(const PlotData& data, std::ostream& script) {
   }
   const bool has_flights = !data.flights.empty();
   script << (has_flights ? ", 'flight' 0)" : ")") << "\nset yrange ["
-         << (has_flights ? "-0.45" : "0.55") << ":" << data.feet.size()
-         << ".6]\nunset grid\nset grid xtics\n";
+         << (has_flights ? "-0.45" : "0.55") << ":"
+         << static_cast<double>(data.feet.size()) + kNamesTop << "]\nunset grid\nset grid xtics\n";
 }
 
 void AddGaitNames(const PlotData& data, std::ostream& script) {
