@@ -9,6 +9,8 @@
 //   depth = v T_s / pi           of the middle of the stance
 //   a     = pi v / T_s           upwards there
 // from a(t) = a sin(pi t / T_s) over a stance, which turns -v to v.
+// The reference joins the middles of stance and flight by quintics: by 5 % of rise and depth and a
+// quarter of g it is not quite that.
 // Source: a spring-mass runner of small displacements, as in Blickhan, "The spring-mass model for
 // running and hopping", Journal of Biomechanics 22 (1989).
 

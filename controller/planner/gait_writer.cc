@@ -91,17 +91,15 @@ void GaitWriter::EndOrder() {
 // A move was checked against the step that it was made for; one that has become another since then,
 // for a new gait begins sooner, must not end before it begins.
 Tick GaitWriter::Moved(Tick in_the_air, Tick least) const {
-  for (const TouchDownMove& move : support_.orders.moves) {
-    if (move.sequence == support_.sequence + 1) return std::max(in_the_air + move.by, least);
-  }
-  return in_the_air;
+  const TouchDownMove move = MoveOfNextLanding();
+  return move.by == 0 ? in_the_air : std::max(in_the_air + move.by, least);
 }
 
-Tick GaitWriter::WaitedForNextLanding() const {
+TouchDownMove GaitWriter::MoveOfNextLanding() const {
   for (const TouchDownMove& move : support_.orders.moves) {
-    if (move.sequence == support_.sequence + 1) return move.waited;
+    if (move.sequence == support_.sequence + 1) return move;
   }
-  return 0;
+  return {};
 }
 
 std::optional<Tick> GaitWriter::NextSegmentStart() const {
@@ -123,7 +121,7 @@ void GaitWriter::Land(int foot, Tick tick, const GaitParams& gait) {
   next = {};
   next.contact.index = index;
   next.contact.start_tick = next.contact.end_tick = tick;
-  next.contact.due_tick = tick - WaitedForNextLanding();
+  next.contact.due_tick = tick - MoveOfNextLanding().waited;
   next.contact.end_is_known = false;
   next.contact.nominal_p_WF = {support_.path_x_m, y_m, geometry.sole_height_m};
   next.contact.adjusted_p_WF = next.contact.nominal_p_WF;

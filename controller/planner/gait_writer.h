@@ -62,7 +62,8 @@ class GaitWriter {
   /// The time from a lift-off to the next landing that the gait gives, as ordered, and no less than
   /// `least`.
   Tick Moved(Tick in_the_air, Tick least) const;
-  Tick WaitedForNextLanding() const;
+  /// What was ordered of it; by nothing if nothing was.
+  TouchDownMove MoveOfNextLanding() const;
   std::optional<Tick> NextSegmentStart() const;
   /// Begins a contact of `foot` at `tick`, where the path has it by now.
   void Land(int foot, Tick tick, const GaitParams& gait);

@@ -15,7 +15,7 @@
 namespace sidestep::wbc {
 
 /// [force (N, in W); torque (N m, in B)]: of its entries the base's freedoms pick theirs.
-using BaseForce = Eigen::Matrix<double, 6, 1>;
+using BaseForce = Vector6;
 
 /// The generalised force e of an external wrench about C, in W, as if it acted on the base: where
 /// it does is not known, and on the base's rows it makes no difference.

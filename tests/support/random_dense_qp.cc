@@ -206,6 +206,17 @@ int SeededNumbers::Integer(int low, int high) {
   return low + static_cast<int>(Uniform(0.0, static_cast<double>(high - low + 1)));
 }
 
+Eigen::Vector3d SeededNumbers::Vector3(double size) {
+  Eigen::Vector3d vector;
+  for (double& entry : vector) entry = Uniform(-size, size);
+  return vector;
+}
+
+Eigen::Quaterniond SeededNumbers::Turn(double size_rad) {
+  const Eigen::Vector3d turn = Vector3(size_rad);
+  return Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+}
+
 Eigen::MatrixXd SeededNumbers::NormalMatrix(Eigen::Index rows, Eigen::Index cols) {
   MatrixXd matrix(rows, cols);
   for (Eigen::Index i = 0; i < matrix.size(); ++i) {

@@ -3,6 +3,7 @@
 // random_dense_qp: families of random QPs with a known feasible point, the same on every machine.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <random>
 
@@ -47,6 +48,8 @@ class SeededNumbers {
   double Normal();
   int Integer(int low, int high);  ///< Both inclusive.
   Eigen::MatrixXd NormalMatrix(Eigen::Index rows, Eigen::Index cols);
+  Eigen::Vector3d Vector3(double size);      ///< Each entry within +-size.
+  Eigen::Quaterniond Turn(double size_rad);  ///< About such a vector, by its length.
 
  private:
   std::mt19937_64 engine_;

@@ -20,44 +20,33 @@ class InverseDynamicsLimitsTest : public testing::Test {
     const RobotState home = IcubAtHome(&stance_.body);
     stance_.state = home;
     RobotState& state = stance_.state;
-    state.q_WB = Turn(0.2 * wildness) * home.q_WB;
-    state.v_WB = Random(wildness);
-    state.w_WB_B = Random(2.0 * wildness);
+    state.q_WB = numbers_.Turn(0.2 * wildness) * home.q_WB;
+    state.v_WB = numbers_.Vector3(wildness);
+    state.w_WB_B = numbers_.Vector3(2.0 * wildness);
     for (Eigen::Index i = 0; i < state.joint_position.size(); ++i) {
       state.joint_position[i] += 0.3 * wildness * numbers_.Uniform(-1.0, 1.0);
       state.joint_velocity[i] = 5.0 * wildness * numbers_.Uniform(-1.0, 1.0);
     }
     stance_.body.Update(state);
     stance_.body.FillDerived(&state);
-    stance_.com.p_WC = state.p_WC + Random(0.3 * wildness);
-    stance_.com.v_WC = state.v_WC + Random(3.0 * wildness);
-    stance_.com.a_WC = Random(100.0 * wildness);
-    stance_.com.angular_momentum_rate_Nm = Random(1000.0 * wildness);
-    state.external_wrench = {Random(300.0 * wildness), Random(50.0 * wildness)};
+    stance_.com.p_WC = state.p_WC + numbers_.Vector3(0.3 * wildness);
+    stance_.com.v_WC = state.v_WC + numbers_.Vector3(3.0 * wildness);
+    stance_.com.a_WC = numbers_.Vector3(100.0 * wildness);
+    stance_.com.angular_momentum_rate_Nm = numbers_.Vector3(1000.0 * wildness);
+    state.external_wrench = {numbers_.Vector3(300.0 * wildness), numbers_.Vector3(50.0 * wildness)};
     const int swinging = numbers_.Integer(0, 3);  // or none, or both
     for (int i = 0; i < 2; ++i) {
       const auto at = static_cast<std::size_t>(i);
       FootTarget& foot = stance_.feet[at];
       foot.planned_contact = foot.supports = i != swinging && swinging != 3;
       state.feet[at].in_contact = numbers_.Uniform(0.0, 1.0) < 0.8;
-      foot.p_WF = state.feet[at].p_WF + Random(0.5 * wildness);
-      foot.contact.R_WF = Turn(wildness).toRotationMatrix();
+      foot.p_WF = state.feet[at].p_WF + numbers_.Vector3(0.5 * wildness);
+      foot.contact.R_WF = numbers_.Turn(wildness).toRotationMatrix();
       foot.vertex_force_N.setRandom();
       for (double& entry : foot.vertex_force_N.reshaped()) {
         entry = 500.0 * wildness * numbers_.Uniform(-1.0, 1.0);
       }
     }
-  }
-
-  Eigen::Vector3d Random(double size) {
-    Eigen::Vector3d vector;
-    for (double& entry : vector) entry = numbers_.Uniform(-size, size);
-    return vector;
-  }
-
-  Eigen::Quaterniond Turn(double size_rad) {
-    const Eigen::Vector3d turn = Random(size_rad);
-    return Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
   }
 
   SeededNumbers numbers_{11};
