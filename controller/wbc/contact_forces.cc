@@ -2,6 +2,7 @@
 #include "controller/wbc/contact_forces.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "controller/types/friction_pyramid.h"
 
@@ -34,10 +35,14 @@ ContactForces::ContactForces(const RobotDescription& robot, int num_velocities, 
 
 void ContactForces::Update(const RobotState& state, const RigidBody& body,
                            const std::vector<FootTarget>& feet) {
+  const double firm_N = kUnfeltShare * body.mass_kg() * body.gravity_mps2().norm();
   size_ = 0;
   for (std::size_t i = 0; i < feet.size(); ++i) {
     Foot& at = feet_[i];
     at.is_felt = state.feet[i].in_contact;
+    const double felt_N = at.is_felt ? state.feet[i].wrench.force_N.z() : 0.0;
+    at.hold =
+        std::clamp(std::max(felt_N, feet[i].vertex_force_N.row(2).sum()) / firm_N, kLeastHold, 1.0);
     at.stands = feet[i].supports;
     at.first = size_;
     if (!at.stands) continue;

@@ -9,7 +9,9 @@
 // A foot stands from when the plan has it on the ground and the sensor feels it there until the
 // plan lifts it: one that bears little for a while, and is not felt, does not begin to swing. Not
 // felt it may bear no more than kUnfeltShare of the weight, for it may be in the air: with that it
-// finds the ground, and the CoM is not built on it.
+// finds the ground, and the CoM is not built on it. The less a foot bears, by plan and by feel, the
+// less it is held in its place: one about to lift does not pull the CoM down by a leg that is at
+// its length.
 //
 // As variables of a QP the forces of the feet in contact follow the nv accelerations, three a
 // vertex, foot by foot.
@@ -24,6 +26,7 @@
 namespace sidestep::wbc {
 
 inline constexpr double kUnfeltShare = 0.1;  ///< Twice what a contact's threshold should be.
+inline constexpr double kLeastHold = 1e-5;   ///< Of the weight of a standing foot's task.
 
 /// [force (N); moment about F (N m)] in W of forces at the vertices of a sole. `vertices_m` is
 /// 3 x n_v, in F; `vertex_force_N` is 3 x n_v, in W.
@@ -41,6 +44,10 @@ class ContactForces {
 
   /// Whether `foot` stands, as of the last Update().
   bool stands(std::size_t foot) const { return feet_[foot].stands; }
+
+  /// How firmly a standing `foot` is to be held, as of the last Update(): 1 if it bears
+  /// kUnfeltShare of the weight or more, planned or felt; less in proportion; at least kLeastHold.
+  double hold(std::size_t foot) const { return feet_[foot].hold; }
 
   Eigen::Index size() const { return size_; }  ///< Variables: 3 a vertex in contact.
   Eigen::Index max_size() const { return jacobian_.rows(); }
@@ -67,6 +74,7 @@ class ContactForces {
     Eigen::Matrix3Xd vertices_m;
     bool stands{false};
     bool is_felt{false};
+    double hold{1.0};
     Eigen::Index first{0};  ///< Of its variables, if it stands.
   };
 

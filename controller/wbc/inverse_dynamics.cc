@@ -171,9 +171,11 @@ void InverseDynamics::AddFoot(std::size_t foot, const RigidBody& body, const Foo
         params_.swing_rotation_damping_per_s * now.w_WF;
   }
   const FootTask task = FootAcceleration(body, foot, a_WF, wdot_WF);
-  qp_.AddTask(task.linear, stands ? params_.stand_weight : params_.swing_weight);
+  const double hold = forces_.hold(foot);
+  qp_.AddTask(task.linear, stands ? hold * params_.stand_weight : params_.swing_weight);
   if (!is_flat_[foot]) return;
-  qp_.AddTask(task.angular, stands ? params_.stand_rotation_weight : params_.swing_rotation_weight);
+  qp_.AddTask(task.angular,
+              stands ? hold * params_.stand_rotation_weight : params_.swing_rotation_weight);
 }
 
 }  // namespace sidestep::wbc

@@ -81,6 +81,28 @@ TEST_F(ContactForcesTest, JacobianIsTheDerivativeOfEveryVertexInContact) {
   }
 }
 
+TEST_F(ContactForcesTest, AFootIsHeldAsFirmlyAsItBearsByPlanOrByFeel) {
+  const double firm_N = kUnfeltShare * stance_.body.mass_kg() * stance_.body.gravity_mps2().norm();
+  FootTarget& foot = stance_.feet[0];
+  foot.vertex_force_N.setZero();
+  foot.vertex_force_N(2, 0) = foot.vertex_force_N(2, 1) = 0.25 * firm_N;
+  state_.feet[0].wrench.force_N.z() = 0.25 * firm_N;
+  Update();
+  EXPECT_DOUBLE_EQ(forces_.hold(0), 0.5) << "by plan";
+  state_.feet[0].wrench.force_N.z() = 0.75 * firm_N;
+  Update();
+  EXPECT_DOUBLE_EQ(forces_.hold(0), 0.75) << "by feel";
+  state_.feet[0].in_contact = false;
+  Update();
+  EXPECT_DOUBLE_EQ(forces_.hold(0), 0.5) << "what is below the threshold is not felt";
+  foot.vertex_force_N.row(2).setConstant(firm_N);
+  Update();
+  EXPECT_EQ(forces_.hold(0), 1.0);
+  foot.vertex_force_N.setZero();
+  Update();
+  EXPECT_EQ(forces_.hold(0), kLeastHold) << "never nothing: the problem stays regular";
+}
+
 TEST_F(ContactForcesTest, VerticesDoTheWorkOfTheirWrench) {
   Update();
   Eigen::VectorXd stacked(forces_.size());

@@ -150,6 +150,7 @@ TEST_F(InverseDynamicsSoleTest, PushThatIsKnownIsBorneByTheGround) {
 }
 
 TEST_F(InverseDynamicsSoleTest, StandingSolesNeitherSlideNorTurn) {
+  stance_.PlanWeightEvenly();
   stance_.com.a_WC = {0.5, 0.3, 0.2};
   Solve();
   for (std::size_t foot = 0; foot < 2; ++foot) {
