@@ -13,8 +13,7 @@ LocomotionController::LocomotionController(const ControllerSetup& setup, StageTi
       timer_(timer),
       body_(setup.robot),
       estimator_(MakeEstimator(setup, body_)),
-      chain_(setup, PlannedRobot(setup.robot, body_.mass_kg(), body_.gravity_mps2()),
-             StandingRule::kWhenFelt),
+      chain_(setup, PlannedRobot(setup.robot, body_), StandingRule::kWhenFelt),
       whole_body_(MakeWholeBody(setup, body_)) {}
 
 const ControlTick& LocomotionController::Update(const SensorFrame& frame) {

@@ -21,6 +21,21 @@ mpc::RobotModel PlannedRobot(const RobotDescription& robot, double mass_kg,
   return model;
 }
 
+mpc::RobotModel PlannedRobot(const RobotDescription& robot, const RigidBody& body) {
+  mpc::RobotModel model = PlannedRobot(robot, body.mass_kg(), body.gravity_mps2());
+  RobotState home;
+  home.feet.resize(robot.feet.size());
+  body.FillDerived(&home);
+  for (std::size_t i = 0; i < robot.feet.size(); ++i) {
+    mpc::LegReach& reach = model.legs.emplace_back();
+    if (!body.leg(i)) continue;
+    const Eigen::Vector3d p_CHip_W = body.leg(i)->p_WHip - home.p_WC;
+    const Eigen::Vector3d p_FAnkle_W = body.leg(i)->p_WAnkle - home.feet[i].p_WF;
+    reach = {home.feet[i].R_WF.transpose() * (p_CHip_W - p_FAnkle_W), body.leg(i)->length_m};
+  }
+  return model;
+}
+
 std::unique_ptr<StateEstimator> MakeEstimator(const ControllerSetup& setup, const RigidBody& body) {
   const EstimatorParams& params = setup.control.estimation;
   const double dt_s = 1.0 / setup.control.rate_hz;

@@ -18,6 +18,9 @@ namespace sidestep {
 mpc::RobotModel PlannedRobot(const RobotDescription& robot, double mass_kg,
                              const Eigen::Vector3d& gravity_mps2 = {0.0, 0.0, -kGravity_mps2});
 
+/// The same of a robot with a body, whose legs at home tell their reach. `body` must be at home.
+mpc::RobotModel PlannedRobot(const RobotDescription& robot, const RigidBody& body);
+
 /// The estimator that control.estimator names. `body` is the nominal robot.
 std::unique_ptr<StateEstimator> MakeEstimator(const ControllerSetup& setup, const RigidBody& body);
 

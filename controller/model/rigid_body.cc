@@ -45,6 +45,10 @@ RigidBody::RigidBody(const RobotDescription& robot)
   RobotState home;
   WriteHome(&home);
   Update(home);
+  for (std::size_t foot = 0; foot < num_feet(); ++foot) {
+    const bool is_sole = robot.feet[foot].vertices_m.cols() > 1;
+    legs_.push_back(FindStretchedLeg(state_, base_body_, foot_site_[foot], is_sole));
+  }
 }
 
 void RigidBody::ResolveNames(const RobotDescription& robot) {

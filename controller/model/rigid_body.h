@@ -14,12 +14,14 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "controller/types/robot_state.h"
 #include "models/mjcf/base_joints.h"
 #include "models/mjcf/centroidal_motion.h"
 #include "models/mjcf/mj_state.h"
+#include "models/mjcf/stretched_leg.h"
 #include "models/robot_description/robot_description.h"
 
 namespace sidestep {
@@ -154,6 +156,9 @@ class RigidBody {
   /// Jdot nu (N m): J nudot + Jdot nu is the moment about C of all forces but gravity.
   const Eigen::Vector3d& angular_momentum_bias_Nm() const;
 
+  /// The leg of a foot as it is at home, if it has one. By index of RobotDescription::feet.
+  const std::optional<StretchedLeg>& leg(std::size_t foot) const { return legs_[foot]; }
+
   /// Index in nu of each actuator's joint, in the order of the actuators.
   const std::vector<int>& actuated_velocity() const { return actuated_velocity_; }
   /// Greatest torque of each actuator, the upper end of its control range; N for a slide.
@@ -202,6 +207,7 @@ class RigidBody {
   int base_body_{0};
   BaseJoints base_;
   std::vector<int> foot_site_;
+  std::vector<std::optional<StretchedLeg>> legs_;
   std::vector<int> actuated_position_;  // index in qpos
   std::vector<int> actuated_velocity_;
   Eigen::VectorXd torque_limit_Nm_;

@@ -25,6 +25,10 @@ ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot,
     OcpContact& contact = ocp_.contacts[foot];
     contact.name = robot.foot_names[foot];
     contact.vertices_m = robot.vertices_m[foot];
+    if (!robot.legs.empty()) {
+      contact.leg = robot.legs[foot];
+      contact.leg.length_m *= params.leg_stretch;
+    }
     if (!robot.force_shares.empty()) contact.force_shares = robot.force_shares[foot];
     contact.previous_force_N.setZero(3, contact.vertices_m.cols());
     contact.phases.reserve(static_cast<std::size_t>(knots) + 1);

@@ -25,6 +25,7 @@ struct RobotModel {
   Eigen::Vector3d gravity_mps2{0.0, 0.0, -kGravity_mps2};
   std::vector<std::string> foot_names;
   std::vector<Eigen::Matrix3Xd> vertices_m;   ///< One a foot, 3 x n_v, in F.
+  std::vector<LegReach> legs;                 ///< One a foot, stretched; none: not known.
   std::vector<Eigen::VectorXd> force_shares;  ///< One a foot, as OcpContact's; none: all equal.
 };
 

@@ -23,6 +23,7 @@ struct MpcWeights {
   /// On the force of a contact that touches down at the last input, N - 1, where nothing else
   /// makes the optimum unique.
   Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
+  double leg_length{0.0};  ///< Per m^2 and knot of a leg too short. 0, as in the paper: none.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -38,6 +39,8 @@ struct MpcWeights {
           "change of the forces from knot to knot, per axis");
     visit("new_contact_force", self.new_contact_force, weight,
           "forces of a foot that touches down at the last knot, per axis");
+    visit("leg_length", self.leg_length, weight,
+          "what a standing foot's leg lacks in length, from ankle to hip");
   }
 };
 
@@ -74,6 +77,7 @@ struct MpcParams {
   double friction{0.33};                         ///< Of the pyramid in axes of F.
   Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};  ///< z = 0 keeps footholds on the floor.
   Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};    ///< Never below box_lower_m.
+  double leg_stretch{0.97};                      ///< Counts only with weights.leg_length.
   double external_wrench_hold_s{0.1};
   double attitude_rate_radps{0.0};  ///< 0, as in the paper: no levelling.
   MpcWeights weights;
@@ -94,6 +98,8 @@ struct MpcParams {
           "least step adjustment, in the axes of the contact; y is mirrored for a right foot");
     visit("box_upper_m", self.box_upper_m, Range{-2.0, 2.0},
           "largest step adjustment, in the axes of the contact; y is mirrored for a right foot");
+    visit("leg_stretch", self.leg_stretch, Range{0.1, 1.0},
+          "share of a stretched leg's length that weights.leg_length takes for the longest");
     visit("external_wrench_hold_s", self.external_wrench_hold_s, Range{0.0, 10.0},
           "a measured or known external wrench is assumed to last this long");
     visit("attitude_rate_radps", self.attitude_rate_radps, Range{0.0, 100.0},

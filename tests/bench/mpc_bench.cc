@@ -62,7 +62,7 @@ double EvaluationTime_ms(const CentroidalOcp& ocp) {
     nlp.Gradient(x, gradient);
     nlp.Constraints(x, g);
     nlp.JacobianValues(x, jacobian.data());
-    nlp.HessianValues(1.0, g, hessian.data());
+    nlp.HessianValues(x, 1.0, g, hessian.data());
     benchmark::ClobberMemory();
   }
   return (CpuTime_ms() - start_ms) / kRepeats;

@@ -55,10 +55,11 @@ class CentroidalNlp {
   void JacobianStructure(int* rows, int* columns) const;
   void JacobianValues(ConstVector x, double* values) const;
 
-  /// Lower triangle of  cost_factor d2J/dx2 + sum_r multipliers[r] d2g_r/dx2, from 0, no entry
-  /// twice. Arrays of num_hessian_entries().
+  /// Lower triangle, at x, of  cost_factor d2J/dx2 + sum_r multipliers[r] d2g_r/dx2, from 0, no
+  /// entry twice. Arrays of num_hessian_entries().
   void HessianStructure(int* rows, int* columns) const;
-  void HessianValues(double cost_factor, ConstVector multipliers, double* values) const;
+  void HessianValues(ConstVector x, double cost_factor, ConstVector multipliers,
+                     double* values) const;
 
   /// Largest violation of a constraint or bound at x in SI: momentum in kg m/s and kg m^2/s,
   /// force in N, place in m.
@@ -73,7 +74,8 @@ class CentroidalNlp {
   template <typename Emit>
   void VisitJacobian(const ConstVector* x, Emit&& emit) const;
   template <typename Emit>
-  void VisitHessian(double cost_factor, const ConstVector* multipliers, Emit&& emit) const;
+  void VisitHessian(const ConstVector* x, double cost_factor, const ConstVector* multipliers,
+                    Emit&& emit) const;
   template <typename Emit>
   void VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const;
 
@@ -84,6 +86,17 @@ class CentroidalNlp {
   Eigen::Vector3d StateOrInitial(ConstVector x, int k, int part) const;
   /// Place of the force in W (m), with the foothold's adjustment if it is free.
   Eigen::Vector3d VertexPosition(ConstVector x, const ForceSlot& slot) const;
+  /// A leg's cost counts where it stands at 0 < k < N: once a slot of vertex 0.
+  bool HasLegCost(const ForceSlot& slot) const;
+  /// From ankle to hip, in W (m).
+  Eigen::Vector3d AnkleToHip(ConstVector x, const ForceSlot& slot) const;
+  double LegCost(ConstVector x) const;
+  void AddLegGradient(ConstVector x, Vector gradient) const;
+  /// In the vector from ankle to hip. Zero without x, where only the structure is asked for.
+  Eigen::Matrix3d LegCurvature(const ConstVector* x, const ForceSlot& slot) const;
+  /// Of the cost, in W: in the CoM at knot k, and in a foot's free place.
+  Eigen::Matrix3d PositionHessian(const ConstVector* x, int k) const;
+  Eigen::Matrix3d PlaceHessian(const ConstVector* x, int location) const;
   double ForceCost(ConstVector x) const;
   void ForceGradient(ConstVector x, Vector gradient) const;
   /// Over the vertices of the slot's contact at its knot, mass-normalised.

@@ -73,12 +73,13 @@ class IpoptAdapter final : public Ipopt::TNLP {
     }
     return true;
   }
-  bool eval_h(Index, const Number*, bool, Number cost_factor, Index m, const Number* multipliers,
-              bool, Index, Index* rows, Index* columns, Number* values) override {
+  bool eval_h(Index n, const Number* at, bool, Number cost_factor, Index m,
+              const Number* multipliers, bool, Index, Index* rows, Index* columns,
+              Number* values) override {
     if (values == nullptr) {
       nlp.HessianStructure(rows, columns);
     } else {
-      nlp.HessianValues(cost_factor, ConstMap(multipliers, m), values);
+      nlp.HessianValues(ConstMap(at, n), cost_factor, ConstMap(multipliers, m), values);
     }
     return true;
   }

@@ -23,6 +23,7 @@ void CentroidalNlp::Gradient(ConstVector x, Vector gradient) const {
         location.num_knots * R_WF.transpose() * weights.contact_position.cwiseProduct(moved_W);
   }
   ForceGradient(x, gradient);
+  AddLegGradient(x, gradient);
 }
 
 // Of half the sum of squared asymmetries e_i of a contact, in u_j: e_j - sum_i s_i e_i. As the
@@ -114,25 +115,20 @@ void CentroidalNlp::VisitJacobian(const ConstVector* x, Emit&& emit) const {
 }
 
 template <typename Emit>
-void CentroidalNlp::VisitHessian(double cost_factor, const ConstVector* multipliers,
-                                 Emit&& emit) const {
+void CentroidalNlp::VisitHessian(const ConstVector* x, double cost_factor,
+                                 const ConstVector* multipliers, Emit&& emit) const {
   const MpcWeights& weights = ocp_->weights;
   for (int k = 1; k <= ocp_->knots; ++k) {
     const int column = layout_.knots()[static_cast<std::size_t>(k)].state_column;
+    EmitLower(column + kPosition, cost_factor * PositionHessian(x, k), emit);
     for (int a = 0; a < 3; ++a) {
-      emit(column + kPosition + a, column + kPosition + a, cost_factor * weights.com(a));
       emit(column + kAngular + a, column + kAngular + a, cost_factor * weights.angular_momentum(a));
     }
   }
-  for (const FreeLocation& location : layout_.locations()) {
+  for (int i = 0; i < static_cast<int>(layout_.locations().size()); ++i) {
+    const FreeLocation& location = layout_.locations()[static_cast<std::size_t>(i)];
     const Eigen::Matrix3d& R_WF = PhaseOf(location.contact, location.phase).R_WF;
-    const Eigen::Matrix3d hessian = (cost_factor * location.num_knots) * R_WF.transpose() *
-                                    weights.contact_position.asDiagonal() * R_WF;
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b <= a; ++b) {
-        emit(location.column + a, location.column + b, hessian(a, b));
-      }
-    }
+    EmitLower(location.column, cost_factor * R_WF.transpose() * PlaceHessian(x, i) * R_WF, emit);
   }
   for (int s = 0; s < static_cast<int>(layout_.slots().size()); ++s) {
     VisitForceHessian(s, cost_factor, emit);
@@ -151,6 +147,11 @@ void CentroidalNlp::VisitHessian(double cost_factor, const ConstVector* multipli
     }
     if (slot.location >= 0) {
       const Eigen::Matrix3d& R_WF = PhaseOf(slot.contact, slot.phase).R_WF;
+      if (HasLegCost(slot)) {
+        EmitDense(layout_.locations()[static_cast<std::size_t>(slot.location)].column,
+                  layout_.knots()[static_cast<std::size_t>(slot.knot)].state_column + kPosition,
+                  -cost_factor * R_WF.transpose() * LegCurvature(x, slot), emit);
+      }
       EmitDense(layout_.locations()[static_cast<std::size_t>(slot.location)].column, slot.column,
                 R_WF.transpose() * Skew(lambda), emit);
     }
@@ -200,22 +201,22 @@ void CentroidalNlp::JacobianValues(ConstVector x, double* values) const {
 }
 
 void CentroidalNlp::HessianStructure(int* rows, int* columns) const {
-  VisitHessian(1.0, nullptr, [&](int row, int column, double) {
+  VisitHessian(nullptr, 1.0, nullptr, [&](int row, int column, double) {
     *rows++ = row;
     *columns++ = column;
   });
 }
 
-void CentroidalNlp::HessianValues(double cost_factor, ConstVector multipliers,
+void CentroidalNlp::HessianValues(ConstVector x, double cost_factor, ConstVector multipliers,
                                   double* values) const {
-  VisitHessian(cost_factor, &multipliers, [&](int, int, double value) { *values++ = value; });
+  VisitHessian(&x, cost_factor, &multipliers, [&](int, int, double value) { *values++ = value; });
 }
 
 void CentroidalNlp::CountEntries() {
   num_jacobian_entries_ = 0;
   VisitJacobian(nullptr, [this](int, int, double) { ++num_jacobian_entries_; });
   num_hessian_entries_ = 0;
-  VisitHessian(1.0, nullptr, [this](int, int, double) { ++num_hessian_entries_; });
+  VisitHessian(nullptr, 1.0, nullptr, [this](int, int, double) { ++num_hessian_entries_; });
 }
 
 }  // namespace sidestep::mpc

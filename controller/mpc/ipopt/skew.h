@@ -45,4 +45,14 @@ void EmitDense(int row, int column, const Eigen::Matrix3d& block, Emit&& emit) {
   }
 }
 
+/// Calls emit for the lower triangle of `block`, six entries, on the diagonal from `first` on.
+template <typename Emit>
+void EmitLower(int first, const Eigen::Matrix3d& block, Emit&& emit) {
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b <= a; ++b) {
+      emit(first + a, first + b, block(a, b));
+    }
+  }
+}
+
 }  // namespace sidestep::mpc

@@ -36,9 +36,10 @@ bool IsFinite(const ContactPhase& phase) {
 }
 
 bool IsFinite(const MpcWeights& weights) {
-  return weights.com.allFinite() && weights.angular_momentum.allFinite() &&
-         weights.contact_position.allFinite() && weights.force_symmetry.allFinite() &&
-         weights.force_rate.allFinite() && weights.new_contact_force.allFinite();
+  return weights.com.allFinite() && std::isfinite(weights.leg_length) &&
+         weights.angular_momentum.allFinite() && weights.contact_position.allFinite() &&
+         weights.force_symmetry.allFinite() && weights.force_rate.allFinite() &&
+         weights.new_contact_force.allFinite();
 }
 
 }  // namespace
@@ -92,7 +93,8 @@ bool IsFinite(const CentroidalOcp& ocp) {
                 ocp.external_torque_Nm.allFinite() && IsFinite(ocp.weights) &&
                 ocp.friction_A.allFinite() && ocp.friction_b.allFinite();
   for (const OcpContact& contact : ocp.contacts) {
-    finite = finite && contact.vertices_m.allFinite() && contact.force_shares.allFinite() &&
+    finite = finite && contact.leg.offset_m.allFinite() && std::isfinite(contact.leg.length_m) &&
+             contact.vertices_m.allFinite() && contact.force_shares.allFinite() &&
              (!contact.has_previous_force || contact.previous_force_N.allFinite());
     for (const ContactPhase& phase : contact.phases) {
       finite = finite && IsFinite(phase);

@@ -15,8 +15,10 @@
 //   hw[k+1]  = hw[k] + T_k ( tau[k] + sum_ij ( P_iq + R_iq c_ij - p[k] ) x f_ij[k] )
 //
 // Cost, half the weighted squares of: p - reference, hw - reference (k = 0..N); P - nominal, once a
-// knot of the phase; f_ij - s_ij sum_l f_il (symmetry) and the forces' rates; see MpcWeights. A
-// rate is a change from one input to the next over T, however short the first knot is.
+// knot of the phase; what a standing foot's leg lacks in length, max(0, (|r|^2 - L^2) / 2L) with r
+// from ankle to hip (LegReach; close to |r| - L near L, but a square root less; 0 < k < N); f_ij -
+// s_ij sum_l f_il (symmetry) and the forces' rates; see MpcWeights. A rate is a change from one
+// input to the next over T, however short the first knot is.
 //
 // Source: Romualdi et al., ICRA 2022, section III. Every vector is in world W unless named.
 
@@ -42,6 +44,13 @@ struct ContactPhase {
   Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
 };
 
+/// How far a leg reaches: |p - P + R_WF offset| <= length, from ankle to hip, for a hip that moves
+/// with the CoM and turns with the foot's heading.
+struct LegReach {
+  Eigen::Vector3d offset_m{Eigen::Vector3d::Zero()};  ///< In F: hip from C less ankle from F.
+  double length_m{0.0};                               ///< 0: not known, no term in the cost.
+};
+
 /// One foot: its vertices and the phases that touch the horizon, in order of time.
 struct OcpContact {
   std::string name;
@@ -51,6 +60,7 @@ struct OcpContact {
   Eigen::VectorXd force_shares;
   bool has_previous_force{false};
   Eigen::Matrix3Xd previous_force_N;  ///< 3 x n_v, in W; force applied before k = 0.
+  LegReach leg;
   std::vector<ContactPhase> phases;
 };
 

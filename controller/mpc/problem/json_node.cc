@@ -116,6 +116,12 @@ double JsonNode::PositiveNumber() const {
   return value_.get<double>();
 }
 
+double JsonNode::NonNegativeNumber() const {
+  const double number = Number();
+  if (number < 0.0) Fail("a number of at least 0");
+  return number;
+}
+
 Eigen::VectorXd JsonNode::Numbers(std::size_t size) const {
   Array(size, "numbers");
   Eigen::VectorXd numbers(static_cast<Eigen::Index>(size));

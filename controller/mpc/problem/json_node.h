@@ -35,6 +35,7 @@ class JsonNode {
   int Integer(int minimum, int maximum) const;
   double Number() const;          ///< A finite number.
   double PositiveNumber() const;  ///< A finite number above zero.
+  double NonNegativeNumber() const;
   Eigen::Vector3d Vector3() const;
   Eigen::Vector3d Weights3() const;  ///< Three numbers >= 0.
   /// Nine numbers, row-major: an orthonormal right-handed matrix (to 1e-6).

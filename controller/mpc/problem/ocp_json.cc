@@ -41,6 +41,9 @@ json ToJson(const OcpContact& contact) {
                  {"vertices_m", RowsOf(contact.vertices_m)},
                  {"phases", json::array()}};
   if (contact.force_shares.size() != 0) result["force_shares"] = RowOf(contact.force_shares);
+  if (contact.leg.length_m > 0.0) {
+    result["leg"] = {{"offset_m", RowOf(contact.leg.offset_m)}, {"length_m", contact.leg.length_m}};
+  }
   if (contact.has_previous_force) {
     result["previous_force_N"] = RowsOf(contact.previous_force_N);
   }
@@ -80,7 +83,7 @@ Eigen::VectorXd SharesFromJson(const JsonNode& node, std::size_t count) {
 }
 
 OcpContact ContactFromJson(const JsonNode& node) {
-  node.RequireKeys({"name", "vertices_m", "phases"}, {"previous_force_N", "force_shares"});
+  node.RequireKeys({"name", "vertices_m", "phases"}, {"previous_force_N", "force_shares", "leg"});
   OcpContact contact;
   contact.name = node["name"].String();
   const std::size_t num_vertices = node["vertices_m"].ArraySize();
@@ -90,6 +93,11 @@ OcpContact ContactFromJson(const JsonNode& node) {
   contact.vertices_m = node["vertices_m"].Columns3(num_vertices);
   if (node.Has("force_shares")) {
     contact.force_shares = SharesFromJson(node["force_shares"], num_vertices);
+  }
+  if (node.Has("leg")) {
+    const JsonNode leg = node["leg"];
+    leg.RequireKeys({"offset_m", "length_m"});
+    contact.leg = {leg["offset_m"].Vector3(), leg["length_m"].PositiveNumber()};
   }
   if (node.Has("previous_force_N")) {
     contact.has_previous_force = true;
@@ -106,13 +114,14 @@ OcpContact ContactFromJson(const JsonNode& node) {
 
 MpcWeights WeightsFromJson(const JsonNode& node) {
   node.RequireKeys({"com", "angular_momentum", "contact_position", "force_symmetry", "force_rate"},
-                   {"new_contact_force"});
+                   {"leg_length", "new_contact_force"});
   MpcWeights weights;
   weights.com = node["com"].Weights3();
   weights.angular_momentum = node["angular_momentum"].Weights3();
   weights.contact_position = node["contact_position"].Weights3();
   weights.force_symmetry = node["force_symmetry"].Weights3();
   weights.force_rate = node["force_rate"].Weights3();
+  if (node.Has("leg_length")) weights.leg_length = node["leg_length"].NonNegativeNumber();
   if (node.Has("new_contact_force")) {
     weights.new_contact_force = node["new_contact_force"].Weights3();
   }
@@ -165,6 +174,7 @@ json ToJson(const CentroidalOcp& ocp) {
                  {"friction_A", RowsOf(ocp.friction_A.transpose())},
                  {"friction_b", RowOf(ocp.friction_b)},
                  {"contacts", contacts}};
+  if (weights.leg_length > 0.0) result["weights"]["leg_length"] = weights.leg_length;
   if (ocp.first_step_s) result["first_step_s"] = *ocp.first_step_s;
   return result;
 }

@@ -3,6 +3,7 @@
 // block, what is carried over unchanged, and the coupling Y of both:
 //
 //   M = carried + G^T V_xx G + G^T Y^T + Y G + own curvature.
+#include "controller/mpc/structured/leg_reach.h"
 #include "controller/mpc/structured/share_corrections.h"
 #include "controller/mpc/structured/stage_matrix.h"
 #include "controller/mpc/structured/tile.h"
@@ -20,6 +21,10 @@ struct StageMatrix {
   double* Column(int column) const {
     return column < stage.num_pivots ? stage.panel + column * stage.num_rows
                                      : tail + (column - stage.num_pivots) * kept - stage.num_pivots;
+  }
+  /// Adds to the entry of two rows, in the lower triangle.
+  void Add(int row, int column, double value) const {
+    Column(row > column ? column : row)[row > column ? row : column] += value;
   }
   /// The same of a pivot's column.
   double* Pivot(int column) const { return stage.panel + column * stage.num_rows; }
@@ -205,6 +210,35 @@ void AddStates(const ProblemView& problem, int k, const NewtonTerms& terms,
   }
 }
 
+// Curvature of the legs' lengths in p, in d where the foot's place is free, and between them.
+void AddLegs(const ProblemView& problem, const Linearization& linear, const StageMatrix& matrix) {
+  const Stage& stage = matrix.stage;
+  if (problem.weight_leg == 0.0) return;
+  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
+    const ContactBlock& block = problem.blocks[b];
+    if (linear.leg[4 * b + 3] == 0.0) continue;
+    double H[9];
+    LegCurvature(problem, linear, b, H);
+    for (int c = 0; c < 3; ++c) {
+      for (int r = c; r < 3; ++r)
+        matrix.Add(stage.num_pivots + r, stage.num_pivots + c, H[3 * r + c]);
+    }
+    if (block.location < 0) continue;
+    const double* R = problem.rotation + 9 * block.location;
+    const double* is_free = problem.is_free + 3 * block.location;
+    const int row = problem.coupled[block.coupled].row;
+    for (int d = 0; d < 3; ++d) {
+      if (is_free[d] == 0.0) continue;
+      const double axis[3] = {R[d], R[3 + d], R[6 + d]};
+      double pull[3], pull_F[3];  // H R, a column of it, and R^T H R
+      Rotate(H, axis, pull);
+      RotateBack(R, pull, pull_F);
+      for (int a = 0; a < 3; ++a) matrix.Add(stage.num_pivots + a, row + d, -pull[a]);
+      for (int a = d; a < 3; ++a) matrix.Add(row + a, row + d, is_free[a] * pull_F[a]);
+    }
+  }
+}
+
 void CoupleToPreviousForces(const ProblemView& problem, const StageMatrix& matrix) {
   const Stage& stage = matrix.stage;
   for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
@@ -248,6 +282,7 @@ void AssembleStage(const ProblemView& problem, int k, const Evaluation& at,
     AddCarried(problem, matrix, next, stride);
     AddForces(problem, terms, matrix);
     if (terms.is_exact) AddDynamicsCurvature(problem, k, linear, matrix);
+    AddLegs(problem, linear, matrix);
     CoupleToPreviousForces(problem, matrix);
   }
   for (int i = 3 * (stage.num_slots + stage.num_new); i < stage.num_pivots; ++i) {

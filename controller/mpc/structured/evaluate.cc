@@ -2,6 +2,7 @@
 #include "controller/mpc/structured/evaluate.h"
 
 #include "controller/mpc/structured/core_math.h"
+#include "controller/mpc/structured/leg_reach.h"
 #include "controller/mpc/structured/share_corrections.h"
 
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
@@ -180,7 +181,7 @@ double BarrierSum(const ProblemView& problem, const double* point) {
 }  // namespace
 
 void Evaluate(const ProblemView& problem, const double* point, Evaluation* out) {
-  out->cost = StateCost(problem, point) + LocationCost(problem, point);
+  out->cost = StateCost(problem, point) + LocationCost(problem, point) + LegCost(problem, point);
   out->infeasibility = 0.0;
   out->largest_residual = 0.0;
   for (int k = 0; k < problem.knots; ++k) {

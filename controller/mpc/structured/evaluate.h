@@ -22,6 +22,7 @@ struct Linearization {
   double* arm{nullptr};          ///< 3 x slots: vertex minus CoM.
   double* force{nullptr};        ///< 3 N: sum of the stage's u.
   double* block_force{nullptr};  ///< 3 a block: sum of its u.
+  double* leg{nullptr};          ///< 4 a block: ankle to hip (m), what it lacks (m).
   double* gradient{nullptr};     ///< Of the cost, in the order of a point's x, u, d.
   double* costate{nullptr};      ///< 9 (N+1): multipliers of the dynamics.
   double dual{0.0};              ///< Infinity norm of the Lagrangian's gradient.

@@ -2,6 +2,7 @@
 // Gradients, costates and the Lagrangian's stationarity.
 #include "controller/mpc/structured/core_math.h"
 #include "controller/mpc/structured/evaluate.h"
+#include "controller/mpc/structured/leg_reach.h"
 #include "controller/mpc/structured/share_corrections.h"
 
 namespace sidestep::mpc::structured::SIDESTEP_ISA {
@@ -195,6 +196,7 @@ void Linearize(const ProblemView& problem, const double* point, Linearization* o
     Rotate(problem.location_hessian + 9 * i, point + problem.at.d + 3 * i,
            out->gradient + problem.at.d + 3 * i);
   }
+  LinearizeLegs(problem, point, out);
   Costates(problem, out);
   out->dual = LocationDual(problem, point, *out);
   for (int k = 0; k < problem.knots; ++k) {

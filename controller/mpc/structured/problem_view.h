@@ -24,7 +24,9 @@ struct ContactBlock {
   double share_square{1.0};  ///< Mean square of its slots' relative shares.
   bool has_shares{false};    ///< Its slots do not share alike.
   bool has_previous_force{false};
-  bool is_new{false};  ///< The last-input regularisation counts.
+  double leg_anchor[3]{};  ///< R_WF offset - P if d = 0: r = p + this - R d.
+  double leg_length{0.0};  ///< m; 0: no term.
+  bool is_new{false};      ///< The last-input regularisation counts.
 };
 
 /// A location that couples to a stage, and its rows there.
@@ -73,6 +75,7 @@ struct ProblemView {
   int num_locations{0};
   int num_pivots{0};  ///< Of all stages.
   int num_faces{0};   ///< Rows of the friction description.
+  double weight_leg{0.0};
   double weight_com[3]{}, weight_momentum[3]{}, weight_symmetry[3]{}, weight_rate[3]{},
       weight_new[3]{};                    ///< weight_rate is divided by T^2.
   const double* step_s{nullptr};          ///< N: T_k.

@@ -19,7 +19,7 @@ void Memory::Take(const ProblemView& view, Workspace* workspace) {
     rows = std::max(rows, Size(stage.num_rows));
     blocks += Size(stage.num_blocks);
   }
-  arena_.Reset(7 * point + 2 * residuals + 33 * stages + 9 * slots + 3 * blocks +
+  arena_.Reset(7 * point + 2 * residuals + 33 * stages + 9 * slots + 7 * blocks +
                    3 * Size(view.num_locations) + 2 * tail + 24 * active + 2 * rows +
                    Size(view.num_pivots),
                32);
@@ -35,6 +35,7 @@ void Memory::Take(const ProblemView& view, Workspace* workspace) {
   workspace->linear.arm = arena_.Take(3 * slots);
   workspace->linear.force = arena_.Take(3 * stages);
   workspace->linear.block_force = arena_.Take(3 * blocks);
+  workspace->linear.leg = arena_.Take(4 * blocks);
   workspace->linear.costate = arena_.Take(9 * stages);
   workspace->newton.curvature = arena_.Take(6 * slots);
   workspace->newton.box_curvature = arena_.Take(3 * Size(view.num_locations));

@@ -193,6 +193,9 @@ void StructuredProblem::FillBlock(const CentroidalOcp& ocp, const Stage& stage, 
   double* face = face_ + 3 * view_.num_faces * stage.first_slot;
   block.has_shares = contact.force_shares.size() != 0;
   block.share_square = MeanSquareShare(contact);
+  block.leg_length = contact.leg.length_m;
+  const Eigen::Vector3d leg_anchor_W = phase.R_WF * contact.leg.offset_m - origin_W;
+  for (int a = 0; a < 3; ++a) block.leg_anchor[a] = leg_anchor_W(a);
   for (int j = 0; j < block.count; ++j) {
     relative_share_[stage.first_slot + block.first + j] = RelativeShare(contact, j);
     const Eigen::Vector3d vertex_W = origin_W + phase.R_WF * contact.vertices_m.col(j);
@@ -248,6 +251,7 @@ void StructuredProblem::FillVectors(const CentroidalOcp& ocp) {
   }
   for (int r = 0; r < view_.num_faces; ++r) bound_[r] = ocp.friction_b(r) / mass_kg;
   const double inverse_square = 1.0 / (ocp.step_s * ocp.step_s);
+  view_.weight_leg = ocp.weights.leg_length;
   for (int a = 0; a < 3; ++a) {
     view_.weight_com[a] = ocp.weights.com(a);
     view_.weight_momentum[a] = ocp.weights.angular_momentum(a);

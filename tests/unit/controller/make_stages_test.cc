@@ -103,6 +103,24 @@ TEST(PlannedRobotTest, HasTheFeetOfTheRobotInTheirOrder) {
   EXPECT_NE(robot.feet[0].vertices_m, robot.feet[1].vertices_m) << "else order shows nothing";
 }
 
+TEST(PlannedRobotTest, LegsOfABodyReachFromAnkleToHipAtHome) {
+  const RobotDescription robot = Icub3();
+  const RigidBody body(robot);
+  const mpc::RobotModel model = PlannedRobot(robot, body);
+  EXPECT_EQ(model.mass_kg, body.mass_kg());
+  ASSERT_EQ(model.legs.size(), 2U);
+  RobotState home;
+  home.feet.resize(2);
+  body.FillDerived(&home);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Eigen::Vector3d r =
+        home.p_WC - home.feet[i].p_WF + home.feet[i].R_WF * model.legs[i].offset_m;
+    EXPECT_LT((r - (body.leg(i)->p_WHip - body.leg(i)->p_WAnkle)).norm(), 1e-12);
+    EXPECT_LT(r.norm(), model.legs[i].length_m) << "knees are bent at home";
+    EXPECT_GT(r.norm(), 0.8 * model.legs[i].length_m);
+  }
+}
+
 TEST(PlannedRobotTest, MassAndGravityAreThoseToldAndGravityPointsDownOnItsOwn) {
   RobotDescription robot;
   robot.mass_kg = 3.0;  // given, but the argument counts

@@ -128,7 +128,9 @@ inline void Randomise(Numbers& numbers, CentroidalOcp* ocp) {
         &weights.force_rate, &weights.new_contact_force}) {
     *weight = 2.0 * Eigen::Vector3d::Ones() + numbers.Vector3();
   }
+  weights.leg_length = 2.0 + numbers.Next();
   for (OcpContact& contact : ocp->contacts) {
+    contact.leg = {numbers.Vector3(), 1.0 + 0.5 * numbers.Next()};  // often too short
     numbers.Fill(contact.vertices_m);
     if (contact.force_shares.size() != 0) {
       const Eigen::Index count = contact.vertices_m.cols();

@@ -72,6 +72,7 @@ TEST(OcpJsonTest, EveryNumberSurvivesTheRoundTripThroughTextBitForBit) {
   EXPECT_EQ(back.weights.angular_momentum, ocp.weights.angular_momentum);
   EXPECT_EQ(back.weights.contact_position, ocp.weights.contact_position);
   EXPECT_EQ(back.weights.force_symmetry, ocp.weights.force_symmetry);
+  EXPECT_EQ(back.weights.leg_length, ocp.weights.leg_length);
   EXPECT_EQ(back.weights.force_rate, ocp.weights.force_rate);
   EXPECT_EQ(back.weights.new_contact_force, ocp.weights.new_contact_force);
   EXPECT_EQ(back.friction_A, ocp.friction_A);
@@ -85,6 +86,8 @@ TEST(OcpJsonTest, EveryNumberSurvivesTheRoundTripThroughTextBitForBit) {
     EXPECT_EQ(is.has_previous_force, was.has_previous_force);
     EXPECT_EQ(is.previous_force_N, was.previous_force_N);
     EXPECT_EQ(is.force_shares, was.force_shares);
+    EXPECT_EQ(is.leg.offset_m, was.leg.offset_m);
+    EXPECT_EQ(is.leg.length_m, was.leg.length_m);
     ASSERT_EQ(is.phases.size(), was.phases.size());
     for (std::size_t q = 0; q < was.phases.size(); ++q) {
       EXPECT_EQ(is.phases[q].first_knot, was.phases[q].first_knot);

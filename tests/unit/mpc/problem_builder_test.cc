@@ -69,6 +69,17 @@ class ProblemBuilderTest : public testing::Test {
   ProblemBuilder builder_{Params(), PointFoot(), kTick_s};
 };
 
+TEST(ProblemOfARobotTest, LegsAreStretchedByTheirShare) {
+  RobotModel robot = PointFoot();
+  MpcParams params = Params();
+  EXPECT_EQ(ProblemBuilder(params, robot, kTick_s).ocp().contacts[0].leg.length_m, 0.0);
+  robot.legs = {{{0.0, 0.01, -0.04}, 0.5}};
+  params.leg_stretch = 0.9;
+  const CentroidalOcp ocp = ProblemBuilder(params, robot, kTick_s).ocp();
+  EXPECT_EQ(ocp.contacts[0].leg.offset_m, robot.legs[0].offset_m);
+  EXPECT_DOUBLE_EQ(ocp.contacts[0].leg.length_m, 0.45);
+}
+
 TEST_F(ProblemBuilderTest, ScheduleOnTheGridIsSampledExactly) {
   const auto& phases = Phases({Contact(0, 0, 100), Contact(1, 200, 400)}, 50);
   ASSERT_EQ(phases.size(), 2U);

@@ -107,6 +107,15 @@ inline void DrawContacts(Numbers& numbers, const RandomKind& kind, double size_m
   }
 }
 
+/// Legs that a step of some length or a CoM that rises stretches to their ends.
+inline void DrawLegs(Numbers& numbers, double size_m, CentroidalOcp* ocp) {
+  ocp->weights.leg_length = std::pow(10.0, Uniform(numbers, 3.0, 6.0));
+  for (OcpContact& contact : ocp->contacts) {
+    contact.leg.offset_m = 0.05 * size_m * numbers.Vector3();
+    contact.leg.length_m = size_m * Uniform(numbers, 0.55, 0.65);
+  }
+}
+
 inline void DrawMotion(Numbers& numbers, double size_m, double speed_mps, CentroidalOcp* ocp) {
   const double height_m = 0.55 * size_m;
   const double mass_kg = ocp->mass_kg;
@@ -155,6 +164,7 @@ inline CentroidalOcp RandomOcp(unsigned seed) {
   draw::DrawFriction(numbers, kind, &ocp);
   draw::DrawContacts(numbers, kind, size_m, speed_mps, &ocp);
   draw::DrawMotion(numbers, size_m, speed_mps, &ocp);
+  if (draw::Chance(numbers, 0.3)) draw::DrawLegs(numbers, size_m, &ocp);
   // Half of the solves are off the grid; a tick of a millisecond is the hundredth part of a step.
   if (draw::Chance(numbers, 0.5)) {
     ocp.first_step_s = draw::Uniform(numbers, 0.01, 1.0) * ocp.step_s;

@@ -44,11 +44,12 @@ struct RandomPoint {
 using ConstMap = Eigen::Map<const Eigen::VectorXd>;
 
 /// The core's functions of the primal variables [x_1.. x_N, u, d], by finite differences that are
-/// exact: the gap is bilinear and the cost quadratic.
+/// exact where the cost is quadratic, which it is without legs: the gap is bilinear.
 class Differences {
  public:
-  explicit Differences(RandomPoint* at)
-      : at_(*at), view_(at->laid_out.view()), num_rows_(9 * view_.knots) {}
+  /// `step` is the gradient's.
+  Differences(RandomPoint* at, double step)
+      : at_(*at), view_(at->laid_out.view()), num_rows_(9 * view_.knots), step_(step) {}
 
   int num_primal() const { return view_.at.s - 9; }
 
@@ -86,7 +87,7 @@ class Differences {
     Eigen::MatrixXd H(num_primal(), num_primal());
     const Eigen::VectorXd here = Gap(0, 0.0, 0, 0.0);
     for (int i = 0; i < num_primal(); ++i) {
-      H.col(i) = 0.5 * (Gradient(i, 1.0) - Gradient(i, -1.0));
+      H.col(i) = 0.5 / step_ * (Gradient(i, step_) - Gradient(i, -step_));
     }
     for (int i = 0; i < num_primal(); ++i) {
       for (int j = 0; j < num_primal(); ++j) {
@@ -102,6 +103,7 @@ class Differences {
   RandomPoint& at_;
   const ProblemView& view_;
   int num_rows_;
+  double step_;
 };
 
 /// Adds the curvature of the friction rows' barrier.
@@ -124,11 +126,11 @@ void AddFrictionBarrier(const ProblemView& view, const double* point, Eigen::Mat
 
 /// Solves the Newton system as one dense matrix over primal variables and multipliers: nothing of
 /// the recursion is shared.
-Eigen::VectorXd DenseDirection(RandomPoint* at) {
+Eigen::VectorXd DenseDirection(RandomPoint* at, double step = 1.0) {
   const ProblemView& view = at->laid_out.view();
   const int num_primal = view.at.s - 9, num_rows = 9 * view.knots;
   const Eigen::VectorXd multipliers = ConstMap(at->work.linear.costate + 9, num_rows);
-  Differences differences(at);
+  Differences differences(at, step);
   Eigen::MatrixXd J = differences.Jacobian(), H = differences.Hessian(multipliers);
   AddFrictionBarrier(view, at->work.point, &H);
   Eigen::VectorXd right(num_primal + num_rows);
@@ -168,6 +170,7 @@ CentroidalOcp SmallProblem() {
   ocp.weights.force_symmetry.setConstant(300.0);
   ocp.weights.contact_position.setConstant(300.0);
   ocp.weights.com.setConstant(100.0);
+  ocp.weights.leg_length = 0.0;
   return ocp;
 }
 
@@ -208,6 +211,22 @@ TEST(StructuredCoreTest, TheRecursionSolvesTheWholeNewtonSystem) {
       Eigen::Map<const Eigen::VectorXd>(at.work.direction + 9, view.at.s - 9);
   const Eigen::VectorXd expected = DenseDirection(&at);
   EXPECT_LT((ours - expected).cwiseAbs().maxCoeff(), 1e-8 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(StructuredCoreTest, TheRecursionHasTheCurvatureOfLegsThatAreTooShort) {
+  CentroidalOcp ocp = SmallProblem();
+  const CentroidalOcp without = ocp;
+  ocp.weights.leg_length = 50.0;
+  RandomPoint at(ocp), other(without);
+  const ProblemView& view = at.laid_out.view();
+  ASSERT_TRUE(baseline::Factorize(view, at.work.now, at.work.linear, at.work.newton));
+  baseline::SolveForward(view, at.work.newton, false, at.work.direction);
+  const Eigen::VectorXd ours =
+      Eigen::Map<const Eigen::VectorXd>(at.work.direction + 9, view.at.s - 9);
+  const Eigen::VectorXd expected = DenseDirection(&at, 1e-4);
+  EXPECT_LT((ours - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
+  const Eigen::VectorXd straight = DenseDirection(&other);
+  EXPECT_GT((straight - expected).cwiseAbs().maxCoeff(), 0.01) << "legs that change nothing";
 }
 
 TEST(StructuredCoreTest, ChangingTheSlopesEqualsSolvingAnew) {

@@ -77,7 +77,7 @@ TEST(NlpStorageTest, EvaluatingAllocatesNothing) {
   nlp.Gradient(x, gradient);
   nlp.Constraints(x, g);
   nlp.JacobianValues(x, jacobian.data());
-  nlp.HessianValues(1.0, g, hessian.data());
+  nlp.HessianValues(x, 1.0, g, hessian.data());
   EXPECT_EQ(CountAllocations(), before);
   EXPECT_GT(cost, 0.0);
 }
