@@ -20,6 +20,10 @@ TouchDownRule TouchDownsOf(const ControllerSetup& setup, const mpc::RobotModel& 
   return rule;
 }
 
+FloorSearch SearchOf(const PlannerParams& params) {
+  return {params.search_depth_m, params.search_acceleration_mps2};
+}
+
 GaitPlanner MakePlanner(const ControllerSetup& setup, const TouchDownRule& touch_downs) {
   GaitGeometry geometry = MakeGaitGeometry(setup.robot, setup.control.planner.com_sway);
   geometry.box_lower_m = setup.control.mpc.box_lower_m;
@@ -47,7 +51,7 @@ MotionChain::MotionChain(const ControllerSetup& setup, const mpc::RobotModel& ro
       mpc_period_(TickAt(1.0 / params_.rate_hz, tick_s_)),
       planner_(MakePlanner(setup, TouchDownsOf(setup, robot, rule))),
       mpc_(params_, robot, tick_s_),
-      foot_targets_(setup.robot.feet.size(), rule, tick_s_),
+      foot_targets_(setup.robot.feet.size(), rule, tick_s_, SearchOf(setup.control.planner)),
       feet_(StandingFeet(setup.robot)) {
   references_.p_WC.setZero(3, params_.knots + 1);
   references_.angular_momentum.setZero(3, params_.knots + 1);

@@ -56,6 +56,7 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame, RigidBody* body)
   for (std::size_t i = 0; i < robot_.feet.size(); ++i) {
     const bool touches = state_.feet[i].in_contact;
     if (touches != stands_[i]) ReleaseFoot(i);
+    if (touches && !stands_[i]) ExpectFloor(i);
     stands_[i] = touches;
     if (!touches) continue;
     CorrectFoot(i, body->feet()[i].p_WF - p_BU_W, body->feet()[i].v_WF - v_BU_W);
@@ -109,6 +110,13 @@ void LegOdometry::ReleaseFoot(std::size_t foot) {
   P_.diagonal().segment<3>(at).setConstant(kFreeFootVariance_m2);
 }
 
+void LegOdometry::ExpectFloor(std::size_t foot) {
+  if (params_.floor_noise_m == 0.0) return;
+  const Eigen::Index height = FootAt(foot) + 2;
+  x_[height] = robot_.feet[foot].sole_height_m;
+  P_(height, height) = params_.floor_noise_m * params_.floor_noise_m;
+}
+
 void LegOdometry::CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W,
                               const Eigen::Vector3d& v_UF_W) {
   const Eigen::Index at = FootAt(foot);
@@ -124,6 +132,7 @@ void LegOdometry::CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W,
     H_[kVelocity + axis] = 1.0;
     CorrectScalar(H_, -v_UF_W[axis] - x_[kVelocity + axis], velocity_variance);
   }
+  if (params_.floor_noise_m > 0.0) return;  // said once, when it landed
   H_.setZero();
   H_[at + 2] = 1.0;
   CorrectScalar(H_, robot_.feet[foot].sole_height_m - x_[at + 2], kGroundNoise_m * kGroundNoise_m);

@@ -46,6 +46,8 @@ class LegOdometry final : public StateEstimator {
   void Predict(const Eigen::Vector3d& a_WU);
   /// Forgets a foothold, on landing as on lift-off: it may be anywhere.
   void ReleaseFoot(std::size_t foot);
+  /// What is known of the floor where a foot lands, once: it may be off by floor_noise_m.
+  void ExpectFloor(std::size_t foot);
   /// By the foot's place and velocity relative to the IMU, in W, axis by axis.
   void CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W, const Eigen::Vector3d& v_UF_W);
   /// One measurement z = H x + noise: no matrix is inverted.

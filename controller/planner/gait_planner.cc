@@ -36,6 +36,8 @@ const ContactPlan& GaitPlanner::Update(const RobotState& state, Tick tick) {
   const auto moved = AfterTouchDownEvent(setup_, support_, state, tick, touch_downs_);
   if (moved) support_ = *moved;
   has_landed_early_ = moved && NextSupport(setup_, support_)->tick == tick;
+  const auto held = AfterHeldLiftOff(setup_, support_, state, tick, touch_downs_);
+  if (held) support_ = *held;
   TakeLandings(state);
   NoteFeltFeet(state);
   LayOutPlan();

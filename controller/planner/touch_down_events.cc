@@ -33,6 +33,23 @@ std::optional<NextLanding> NextLandingOf(const GaitSetup& setup, const GaitSuppo
   return landing;
 }
 
+struct DueLiftOff {
+  int foot{0};
+  Tick tick{0};
+};
+
+// The lift-off of a foot that stands in `support` later than `after` and by `by`.
+std::optional<DueLiftOff> LiftOffDueAt(const GaitSetup& setup, const GaitSupport& support,
+                                       Tick after, Tick by) {
+  GaitWriter writer(setup, support, nullptr);
+  if (!writer.Step()) return std::nullopt;
+  for (int foot = 0; foot < setup.geometry.num_feet; ++foot) {
+    const std::optional<Tick> tick = writer.lift_off(foot);
+    if (tick && *tick > after && *tick <= by) return DueLiftOff{foot, *tick};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<GaitSupport> AfterTouchDownEvent(const GaitSetup& setup, const GaitSupport& support,
@@ -54,6 +71,25 @@ std::optional<GaitSupport> AfterTouchDownEvent(const GaitSetup& setup, const Gai
     move.waited = -std::min(next->waited, -move.by);
   }
   return MoveTouchDown(setup, support, tick - 1, move, 0);
+}
+
+std::optional<GaitSupport> AfterHeldLiftOff(const GaitSetup& setup, const GaitSupport& support,
+                                            const RobotState& state, Tick tick,
+                                            const TouchDownRule& rule) {
+  if (!rule.is_felt || setup.geometry.num_feet != 2) return std::nullopt;
+  const std::optional<DueLiftOff> due = LiftOffDueAt(setup, support, tick - rule.period, tick);
+  if (!due) return std::nullopt;
+  const auto carrying = static_cast<std::size_t>(1 - due->foot);
+  const PlannedContact& contact = support.feet[carrying].nominal.contact;
+  if (!support.feet[carrying].stands() || state.feet[carrying].in_contact) return std::nullopt;
+  GaitSupport held = support;
+  held.tick += tick + rule.period - due->tick;
+  // The support began with the landing that is waited for, but for what it has been held.
+  const bool is_over = held.tick - contact.start_tick > rule.longest_wait;
+  if (is_over || held.tick > tick) return std::nullopt;
+  // A segment that begins meanwhile may know no such lift-off.
+  if (!LiftOffDueAt(setup, held, tick, tick + rule.period)) return std::nullopt;
+  return held;
 }
 
 }  // namespace sidestep

@@ -5,7 +5,8 @@
 // The gait's clock says when a foot is due; the ground says when it is there. A foot that bears
 // weight on its way down stands from now on, and all that comes after is as much earlier. One that
 // is due and not felt is waited for, for a bounded time: the foot that stands goes on standing, and
-// all that comes after is as much later.
+// all that comes after is as much later. Once it counts as standing the same holds for the foot
+// that would leave it alone while it is not felt: it puts off its lift-off, for a bounded time.
 
 #include <optional>
 
@@ -20,7 +21,7 @@ namespace sidestep {
 struct TouchDownRule {
   bool is_felt{false};       ///< Contact with the ground decides.
   double early_load_N{0.0};  ///< A swinging foot that bears more has landed.
-  Tick longest_wait{0};      ///< For a foot that is due.
+  Tick longest_wait{0};      ///< For a foot that is due; for one that stands, once more.
   Tick period{1};            ///< From one look at the feet to the next, >= 1.
 };
 
@@ -30,5 +31,12 @@ struct TouchDownRule {
 std::optional<GaitSupport> AfterTouchDownEvent(const GaitSetup& setup, const GaitSupport& support,
                                                const RobotState& state, Tick tick,
                                                const TouchDownRule& rule);
+
+/// The same support with the lift-off that is due at `tick` put off to the next look at the feet,
+/// and all that comes after it; none unless it would leave the robot on a foot that is not felt. A
+/// gait whose double support is shorter than the rule's period has no time to give.
+std::optional<GaitSupport> AfterHeldLiftOff(const GaitSetup& setup, const GaitSupport& support,
+                                            const RobotState& state, Tick tick,
+                                            const TouchDownRule& rule);
 
 }  // namespace sidestep

@@ -5,10 +5,11 @@
 
 namespace sidestep {
 
-FootTargets::FootTargets(std::size_t num_feet, StandingRule rule, double tick_s)
+FootTargets::FootTargets(std::size_t num_feet, StandingRule rule, double tick_s,
+                         const FloorSearch& search)
     : rule_(rule),
       longest_dip_(TickAt(kLongestDip_s, tick_s)),
-      feet_(num_feet, Foot{SwingFoot(tick_s)}) {}
+      feet_(num_feet, Foot{SwingFoot(tick_s, search)}) {}
 
 void FootTargets::Update(const RobotState& state, const ContactPlan& plan, Tick tick,
                          std::vector<FootTarget>* feet) {

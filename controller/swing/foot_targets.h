@@ -26,7 +26,8 @@ class FootTargets {
   /// A foot that is not felt for no longer than this still stands: on landing it may bounce.
   static constexpr double kLongestDip_s = 0.05;
 
-  FootTargets(std::size_t num_feet, StandingRule rule, double tick_s);
+  FootTargets(std::size_t num_feet, StandingRule rule, double tick_s,
+              const FloorSearch& search = {});
 
   /// Writes contact, planned_contact and motion of every foot; forces stay as they are. Every foot
   /// stands before the first call. Call every control tick with ascending ticks.

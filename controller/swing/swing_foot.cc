@@ -7,6 +7,8 @@ namespace sidestep {
 namespace {
 
 constexpr double kFreeze_s = 0.03;  // the foothold no longer moves this long before landing
+constexpr double kHole_m =
+    0.01;  // a foot that stood lower than that below its next place was in one
 
 // Value after `elapsed_s` on the way from `from` to `to` in `remaining_s`.
 QuinticState Follow(const QuinticState& from, const QuinticState& to, double remaining_s,
@@ -31,8 +33,12 @@ void SwingFoot::Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Ti
   const double remaining_s = SecondsAt(landing_tick - tick_, tick_s_);
   const double elapsed_s = SecondsAt(tick - tick_, tick_s_);
   if (remaining_s > kFreeze_s || lift_off_tick_ == tick_) target_p_WF_ = p_WF_target;
-  x_ = Follow(x_, {target_p_WF_.x(), 0.0, 0.0}, remaining_s, elapsed_s);
-  y_ = Follow(y_, {target_p_WF_.y(), 0.0, 0.0}, remaining_s, elapsed_s);
+  const bool is_in_a_hole =
+      lift_off_height_m_ < target_p_WF_.z() - kHole_m && z_.position < target_p_WF_.z();
+  if (!is_in_a_hole || tick >= landing_tick) {
+    x_ = Follow(x_, {target_p_WF_.x(), 0.0, 0.0}, remaining_s, elapsed_s);
+    y_ = Follow(y_, {target_p_WF_.y(), 0.0, 0.0}, remaining_s, elapsed_s);
+  }
   UpdateHeight(landing_tick, tick);
   tick_ = tick;
 }
@@ -63,8 +69,10 @@ void SwingFoot::GoDown(const Eigen::Vector3d& p_WF, Tick lost_tick, Tick tick) {
 // Looking for the floor since `late` ticks.
 QuinticState SwingFoot::HeightBelow(double height_m, Tick late) const {
   const double late_s = SecondsAt(late, tick_s_);
-  const double speed_mps = late_s < kSearch_s ? shape_.landing_speed_mps : 0.0;
-  return {height_m - shape_.landing_speed_mps * std::min(late_s, kSearch_s), -speed_mps, 0.0};
+  const double gained_mps = search_.acceleration_mps2 * late_s;
+  const double depth_m = (shape_.landing_speed_mps + 0.5 * gained_mps) * late_s;
+  if (depth_m >= search_.depth_m) return {height_m - search_.depth_m, 0.0, 0.0};
+  return {height_m - depth_m, -shape_.landing_speed_mps - gained_mps, -search_.acceleration_mps2};
 }
 
 Eigen::Vector3d SwingFoot::position() const { return {x_.position, y_.position, z_.position}; }

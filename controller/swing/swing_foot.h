@@ -5,7 +5,9 @@
 // Every tick joins the reference as it is (position, velocity, acceleration) to the foothold wanted
 // now by a quintic; with an unchanged foothold that is the same curve, with a new one acceleration
 // stays continuous. Height goes over an apex at half the swing and arrives with a small downward
-// speed, so that a floor a little lower than believed is still found.
+// speed, so that a floor a little lower than believed is still found. One that is late searches on
+// downwards, faster and faster if it is told to, to a stated depth. One that leaves a place lower
+// than its next one rises to that height first: what it stood in has a wall.
 
 #include <Eigen/Core>
 
@@ -15,18 +17,22 @@
 
 namespace sidestep {
 
+/// How a foot that is due looks for the floor below where it should be; see PlannerParams.
+struct FloorSearch {
+  double depth_m{0.06};
+  double acceleration_mps2{0.0};  ///< Downwards, from the landing speed on.
+};
+
 class SwingFoot {
  public:
-  /// For so long after its time a foot goes on looking for the floor.
-  static constexpr double kSearch_s = 0.2;
-
-  explicit SwingFoot(double tick_s) : tick_s_(tick_s) {}
+  explicit SwingFoot(double tick_s, const FloorSearch& search = {})
+      : tick_s_(tick_s), search_(search) {}
 
   /// Begins a swing of that shape at `tick` from where the foot is, at rest on the ground.
   void LiftOff(const SwingShape& shape, const Eigen::Vector3d& p_WF, Tick tick);
 
   /// Reference at `tick`, on the way to `p_WF_target` at landing_tick. Call every control tick.
-  /// After landing_tick the foot goes on down at the landing speed, for kSearch_s at most.
+  /// After landing_tick the foot goes on down from the landing speed on, to the search's depth.
   void Update(const Eigen::Vector3d& p_WF_target, Tick landing_tick, Tick tick);
 
   /// Reference at `tick` of a foot that stood at `p_WF` until its contact was lost at `lost_tick`:
@@ -44,6 +50,7 @@ class SwingFoot {
 
   SwingShape shape_;
   double tick_s_;
+  FloorSearch search_;
   Tick lift_off_tick_{0};
   Tick tick_{0};  // of the reference below
   double lift_off_height_m_{0.0};

@@ -12,7 +12,7 @@ namespace sidestep {
 /// Shape of the swing that leads to a contact.
 struct SwingShape {
   double height_m{0.05};          ///< Apex above the higher of the two footholds.
-  double landing_speed_mps{0.3};  ///< Downwards, at touch-down and until contact is felt.
+  double landing_speed_mps{0.3};  ///< Downwards, at touch-down; where it searches, to begin with.
 };
 
 /// One stay of a foot on the ground, in absolute ticks: start <= tick < end.

@@ -90,6 +90,8 @@ struct PlannerParams {
   double com_sway{0.0};          ///< Walk alone; 1: over the standing foot.
   double early_load_ratio{0.2};  ///< Of the weight; from the middle of the swing on.
   double late_wait_s{0.1};       ///< 0: the clock goes on without the foot.
+  double search_depth_m{0.06};   ///< Below where it should be; time and reach may end it before.
+  double search_acceleration_mps2{0.0};  ///< From landing_speed_mps on; 0: never faster.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -107,7 +109,12 @@ struct PlannerParams {
           "a swinging foot that bears more than this share of the weight has landed, and the "
           "schedule moves with it");
     visit("late_wait_s", self.late_wait_s, Range{0.0, 1.0},
-          "longest time that the schedule waits for a foot that is due and not felt");
+          "longest time that the schedule waits for a foot that is due and not felt, and that "
+          "the other foot puts its lift-off off while this one is not felt");
+    visit("search_depth_m", self.search_depth_m, Range{0.0, 1.0},
+          "how far below its foothold a foot that is due and not felt looks for the ground");
+    visit("search_acceleration_mps2", self.search_acceleration_mps2, Range{0.0, 100.0},
+          "how much faster it goes down the longer it looks, from landing_speed_mps on");
   }
 };
 

@@ -28,6 +28,17 @@ TEST(RabbitTest, WalksOnWhenPushedForwardsAndBackwards) {
   EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
 }
 
+// Its points bear a moment between them: 8 cm apart, where the closing step leaves them.
+TEST(RabbitTest, StopsAndStandsOnItsPoints) {
+  const ClosedLoopRun run(
+      "rabbit_walk",
+      {"gait=[{type: walk, start_s: 0.0, step_length_m: 0.15, step_width_m: 0.12, swing_s: 0.35, "
+       "double_support_s: 0.1, swing_height_m: 0.05, landing_speed_mps: 0.1}, "
+       "{type: stand, start_s: 3.0, step_width_m: 0.12}]",
+       "expect={fall: false, max_tilt_rad: {max: 0.1}}"});
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
+}
+
 TEST(RabbitTest, FallsWhenItDoesNothing) {
   const ClosedLoopRun run("rabbit_walk", {"control.mode=passive"});
   EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();

@@ -142,6 +142,57 @@ TEST(TouchDownEventsTest, PlannerDoesNotWaitForever) {
   EXPECT_EQ(planner.right().end_tick, 2100);
 }
 
+// The left foot has landed by the clock, and the right one is to leave at 2 s.
+constexpr Tick kRightLeaves = 2000;
+
+TEST(TouchDownEventsTest, FootDoesNotLeaveTheOtherOneThatIsNotFelt) {
+  const GaitSetup setup = Walking();
+  const GaitSupport support = SupportAt(setup, kDue);
+  const auto held = AfterHeldLiftOff(setup, support, Loaded(0.0), kRightLeaves, kFelt);
+  ASSERT_TRUE(held.has_value());
+  const auto landed = NextSupport(setup, *held);
+  EXPECT_EQ(landed->feet[1].nominal.contact.start_tick, 2600 + kPeriod) << "all comes later";
+  EXPECT_EQ(landed->feet[0].nominal.contact.start_tick, kDue) << "but for what has happened";
+}
+
+TEST(TouchDownEventsTest, FootLeavesInTimeTheOtherOneThatIsFelt) {
+  const GaitSetup setup = Walking();
+  const GaitSupport support = SupportAt(setup, kDue);
+  EXPECT_FALSE(AfterHeldLiftOff(setup, support, Loaded(20.0), kRightLeaves, kFelt).has_value());
+  EXPECT_FALSE(AfterHeldLiftOff(setup, support, Loaded(0.0), kRightLeaves - 1, kFelt).has_value())
+      << "there is time yet";
+  EXPECT_FALSE(
+      AfterHeldLiftOff(setup, support, Loaded(0.0), kRightLeaves + kPeriod, kFelt).has_value())
+      << "it has left";
+  EXPECT_FALSE(AfterHeldLiftOff(setup, support, Loaded(0.0), kRightLeaves, {}).has_value())
+      << "by the clock";
+}
+
+TEST(TouchDownEventsTest, FootThatLeavesIsTheOnlyOneThatWaits) {
+  const GaitSetup setup = SetupOf({Stretch(GaitType::kRun, 0.0)}, 2);
+  const GaitSupport support = SupportAt(setup, 450);  // a stance of 250 ticks, on one foot
+  for (Tick tick = support.tick; tick < support.tick + 400; ++tick) {
+    EXPECT_FALSE(AfterHeldLiftOff(setup, support, Loaded(0.0), tick, kFelt).has_value()) << tick;
+  }
+}
+
+TEST(TouchDownEventsTest, PlannerHoldsTheLiftOffUntilTheFootIsFelt) {
+  Planner planner(2160);  // 1.8 s, 0.1 s of waiting, 0.2 s of double support; 60 ms not felt yet
+  planner.GoTo(2156);
+  EXPECT_EQ(planner.left().start_tick, 1900);
+  EXPECT_EQ(planner.right().end_tick, 2160);
+  planner.GoTo(2300);
+  EXPECT_EQ(planner.right().index, 1) << "it has left";
+}
+
+TEST(TouchDownEventsTest, PlannerDoesNotHoldTheLiftOffForever) {
+  Planner planner(9999);
+  planner.GoTo(2196);
+  EXPECT_EQ(planner.right().end_tick, 2200) << "the longest wait once more";
+  planner.GoTo(2211);
+  EXPECT_EQ(planner.right().index, 1) << "after it the clock goes on";
+}
+
 TEST(TouchDownEventsTest, LandingOnTimeIsOnSchedule) {
   Planner planner(kDue - kPeriod);
   planner.GoTo(1796);

@@ -136,11 +136,45 @@ TEST(SwingFootTest, NewSwingForgetsTheLastOne) {
   EXPECT_LT((swing.position() - kStart).norm(), kRounding);
 }
 
-TEST(SwingFootTest, LateFootLooksForTheFloorForABoundedTime) {
-  const std::vector<Sample> samples = FlyTo(kTarget, kLanding + 500);
-  const double down_m = SwingFoot::kSearch_s * kShape.landing_speed_mps;
-  EXPECT_NEAR(samples.back().p.z(), kTarget.z() - down_m, kRounding);
+// Samples of a foot that searches like that, to `end`.
+std::vector<Sample> Search(const FloorSearch& search, const Eigen::Vector3d& from, Tick end) {
+  SwingFoot swing(kTick_s, search);
+  swing.LiftOff(kShape, from, kLiftOff);
+  std::vector<Sample> samples;
+  for (Tick tick = kLiftOff; tick <= end; ++tick) {
+    swing.Update(kTarget, kLanding, tick);
+    samples.push_back({swing.position(), swing.velocity(), swing.acceleration()});
+  }
+  return samples;
+}
+
+TEST(SwingFootTest, LateFootLooksForTheFloorDownToTheStatedDepth) {
+  const std::vector<Sample> samples = Search({.depth_m = 0.03}, kStart, kLanding + 500);
+  EXPECT_NEAR(samples[At(kLanding + 99)].p.z(), kTarget.z() - 0.0297, kRounding) << "0.3 m/s";
+  EXPECT_NEAR(samples.back().p.z(), kTarget.z() - 0.03, kRounding);
   EXPECT_EQ(samples.back().v.z(), 0.0);
+}
+
+TEST(SwingFootTest, SearchGetsFasterAsItFallsBehind) {
+  const std::vector<Sample> samples =
+      Search({.depth_m = 0.06, .acceleration_mps2 = 4.0}, kStart, kLanding + 200);
+  const Sample& late = samples[At(kLanding + 50)];  // 0.3 * 0.05 + 4 / 2 * 0.05^2 = 0.02
+  EXPECT_NEAR(late.p.z(), kTarget.z() - 0.02, kRounding);
+  EXPECT_NEAR(late.v.z(), -0.5, kRounding);
+  EXPECT_NEAR(late.a.z(), -4.0, kRounding);
+  EXPECT_NEAR(samples.back().p.z(), kTarget.z() - 0.06, kRounding);
+  EXPECT_EQ(samples.back().a.z(), 0.0);
+}
+
+TEST(SwingFootTest, FootInAHoleRisesToItsNextHeightBeforeItMovesOn) {
+  const Eigen::Vector3d hole = kStart - Eigen::Vector3d(0.0, 0.0, 0.04);
+  const std::vector<Sample> samples = Search({}, hole, kLanding);
+  for (const Sample& sample : samples) {
+    if (sample.p.z() >= kTarget.z()) break;
+    EXPECT_EQ(sample.p.x(), hole.x()) << "at " << sample.p.z();
+  }
+  EXPECT_LT((samples.back().p - kTarget).norm(), kRounding) << "it is there in time";
+  EXPECT_GT(FlyTo(kTarget, kLanding)[20].p.x(), kStart.x()) << "on level ground it does not wait";
 }
 
 TEST(SwingFootTest, EachSwingHasItsShape) {
