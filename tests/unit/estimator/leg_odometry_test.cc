@@ -109,49 +109,52 @@ TEST_F(LegOdometryTest, HeightErrorOfAFlightIsGoneSoonAfterTouchDown) {
   EXPECT_NEAR(state.p_WB.z(), 0.515, 0.004) << "the floor is known to 2 mm";
 }
 
-/// The hopper's belief after a flight of `flight_s` in which nothing moved and the accelerometer
-/// was right, and a landing there: it has z = 0.515 m, the floor is what the foot's kinematics say.
-double HeightAfterLanding_m(double floor_noise_m, double accelerometer_bias_mps2, int stance) {
+/// The hopper's believed height after 0.2 s in the air, in truth at rest where it started, and
+/// `stance` frames on the ground.
+double HeightAfterLanding_m(double floor_noise_m, double bias_mps2, double longer_m, int stance) {
   RigidBody body(Hopper());
   EstimatorParams params;
   params.floor_noise_m = floor_noise_m;
   LegOdometry odometry(Hopper(), params, ExternalWrenchKnowledge::kUnknown, kTick_s, body);
   SensorFrame flight = HomeFrame(false);
-  flight.imu.accelerometer_mps2.z() = kGravity_mps2 + accelerometer_bias_mps2;
+  flight.imu.accelerometer_mps2.z() = kGravity_mps2 + bias_mps2;
   for (int i = 0; i <= 200; ++i) odometry.Update(flight, &body);
   SensorFrame landed = HomeFrame(true);
-  landed.imu.accelerometer_mps2.z() = kGravity_mps2;
+  landed.joint_position[2] += longer_m;  // the leg finds the ground so much lower
   for (int i = 1; i < stance; ++i) odometry.Update(landed, &body);
   return odometry.Update(landed, &body).p_WB.z();
 }
 
 TEST(FloorHeightTest, ALandingWeighsTheFloorOnceByItsUncertainty) {
-  // By hand: the flight has made the belief 40 mm (0.5 * 2 * 0.2^2) too high. Before the landing
-  // its height has the variance P: 1e-6 of the start, 1e-6 * 0.2^2 of the start's velocity, and 200
-  // steps of the accelerometer's noise, each (s dt) on the velocity and its part on the height. The
-  // foot's kinematics say that the floor is 40 mm too high, with 1 mm; the floor's own 10 mm.
+  // In closed form: height and velocity with the covariance of 201 predictions; then two
+  // measurements of them, the height by the floor and the leg, the velocity by the leg.
+  const EstimatorParams params;
   const double dt = kTick_s;
-  const double s = EstimatorParams{}.accelerometer_noise_mps2 * dt;  // of a step's velocity
+  const double step_mps = params.accelerometer_noise_mps2 * dt;
   Eigen::Matrix2d P = 1e-6 * Eigen::Matrix2d::Identity();
   Eigen::Matrix2d F;
   F << 1.0, dt, 0.0, 1.0;
-  const Eigen::Matrix2d Q = Eigen::Vector2d(0.25 * s * s * dt * dt, s * s).asDiagonal();
-  for (int i = 0; i < 201; ++i) P = F * P * F.transpose() + Q;
-  const double floor = 0.01 * 0.01 + EstimatorParams{}.foot_position_noise_m *
-                                         EstimatorParams{}.foot_position_noise_m;
-  const double after_flight_m = 0.515 + 0.5 * 2.0 * 0.2 * 0.2;
-  const double drifted_m = after_flight_m + 2.0 * 0.2 * dt;  // the step to the landing's frame
-  const double gain = P(0, 0) / (P(0, 0) + floor);
-  const double by_the_floor_m = drifted_m - gain * (drifted_m - 0.515);
-  EXPECT_NEAR(HeightAfterLanding_m(0.01, 2.0, 1), by_the_floor_m, 1e-6);
+  const Eigen::Vector2d Q(0.25 * step_mps * step_mps * dt * dt, step_mps * step_mps);
+  for (int i = 0; i < 201; ++i)
+    P = Eigen::Matrix2d(F * P * F.transpose()) + Eigen::Matrix2d(Q.asDiagonal());
+  // 2 m/s^2 too much for 0.2 s, and one period more of the speed that this has given.
+  const Eigen::Vector2d believed(0.515 + 0.5 * 2.0 * 0.04 + 2.0 * 0.2 * dt, 2.0 * 0.2);
+  const Eigen::Vector2d measured(0.515, 0.0);
+  const Eigen::Vector2d precision(
+      1.0 / (0.01 * 0.01 + params.foot_position_noise_m * params.foot_position_noise_m),
+      1.0 / (params.foot_velocity_noise_mps * params.foot_velocity_noise_mps));
+  const Eigen::Matrix2d R_inverse = precision.asDiagonal();
+  const Eigen::Matrix2d P_inverse = P.inverse();
+  const Eigen::Vector2d after =
+      (P_inverse + R_inverse).inverse() * (P_inverse * believed + R_inverse * measured);
+  EXPECT_NEAR(HeightAfterLanding_m(0.01, 2.0, 0.0, 1), after[0], 1e-7);
 }
 
-TEST(FloorHeightTest, AFootThatIsUncertainOfTheFloorLearnsItsHeight) {
-  // The belief is right, the foot 0.515 m - 0.5 m below as at home, but say the floor were 40 mm
-  // lower than believed: what is taken for a fact moves the belief there, what is known to 10 mm
-  // hardly, for 200 ms of free flight leave a height known to 1 mm.
-  EXPECT_NEAR(HeightAfterLanding_m(0.0, 2.0, 200), 0.515, 0.004) << "a fact";
-  EXPECT_GT(HeightAfterLanding_m(0.01, 2.0, 200), 0.515 + 0.025) << "information";
+TEST(FloorHeightTest, AFootThatFindsTheGroundLowerLearnsItsHeight) {
+  // A level floor is a fact that lifts the belief. One that is known to 10 mm is worth 1 % against
+  // the 1 mm to which a flight has left the height known.
+  EXPECT_NEAR(HeightAfterLanding_m(0.0, 0.0, 0.04, 200), 0.515 + 0.04, 0.004);
+  EXPECT_NEAR(HeightAfterLanding_m(0.01, 0.0, 0.04, 200), 0.515, 0.001);
 }
 
 TEST(FloorHeightTest, LandingAfterLandingOnALevelFloorTheHeightComesBack) {
