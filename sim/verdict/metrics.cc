@@ -124,7 +124,8 @@ constexpr std::array kMetrics{
     MetricInfo{"max_cone_violation_N", "N",
                "farthest that a planned ground force left the controller's friction cone", false,
                kController},
-    MetricInfo{"max_box_violation_m", "m", "farthest that a planned foothold left its box", false,
+    MetricInfo{"max_box_violation_m", "m",
+               "farthest that a planned foothold left its box before the foot landed", false,
                kController},
 };
 

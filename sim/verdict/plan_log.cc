@@ -22,8 +22,8 @@ double StepAdjustment_m(const PlannedContact& contact) {
 double BoxViolation_m(const PlannedContact& contact) {
   const Eigen::Vector3d moved_F =
       contact.R_WF.transpose() * (contact.adjusted_p_WF - contact.nominal_p_WF);
-  const double above_m = (moved_F - contact.box_upper_m).maxCoeff();
-  const double below_m = (contact.box_lower_m - moved_F).maxCoeff();
+  const double above_m = (moved_F - contact.box_upper_m).head<2>().maxCoeff();
+  const double below_m = (contact.box_lower_m - moved_F).head<2>().maxCoeff();
   return std::max({0.0, above_m, below_m});
 }
 
@@ -41,7 +41,8 @@ void PlanLog::Add(const ControlTick& control) {
   SIDESTEP_REQUIRE(control.feet.size() == feet_.size(), control.feet.size());
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const FootTarget& target = control.feet[i];
-    if (!IsOfStart(target.contact)) {
+    const bool is_planned_yet = !target.planned_contact;
+    if (is_planned_yet && !IsOfStart(target.contact)) {
       max_box_violation_m_ = std::max(max_box_violation_m_, BoxViolation_m(target.contact));
     }
     if (!target.planned_contact || last_[i] == target.contact.index) continue;

@@ -16,7 +16,7 @@ namespace sidestep {
 /// Horizontal distance from a contact's nominal to its adjusted place (m).
 double StepAdjustment_m(const PlannedContact& contact);
 
-/// Farthest that adjusted - nominal leaves the contact's box along an axis of F (m); >= 0.
+/// Farthest that adjusted - nominal leaves the contact's box along x or y of F (m); >= 0.
 double BoxViolation_m(const PlannedContact& contact);
 
 /// Farthest that a force at a vertex leaves |f_x| + |f_y| <= friction f_z in F's axes (N); >= 0.
@@ -36,7 +36,8 @@ class PlanLog {
   /// in at the start.
   std::vector<double> AdjustmentsFrom(Tick from) const;
 
-  /// Over every control tick, contacts of the start apart (m).
+  /// Over every control tick on which a foot was on its way to its contact (m). Once it has landed
+  /// the contact is where it was felt, which nobody planned; nor did anybody those of the start.
   double max_box_violation_m() const { return max_box_violation_m_; }
 
  private:

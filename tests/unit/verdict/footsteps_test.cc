@@ -258,8 +258,19 @@ TEST(PlanLogTest, BoxViolationIsMeasuredInTheContactsAxes) {
   PlannedContact contact = ContactAt(400);
   contact.R_WF = Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ());
   EXPECT_NEAR(BoxViolation_m(contact), 0.0, 1e-12) << "3 cm along y are now along the box's x";
-  contact.adjusted_p_WF.z() -= 0.005;
+  contact.adjusted_p_WF.y() -= 0.025;
   EXPECT_NEAR(BoxViolation_m(contact), 0.005, 1e-12);
+  contact.adjusted_p_WF.z() -= 0.5;
+  EXPECT_NEAR(BoxViolation_m(contact), 0.005, 1e-12) << "heights are the ground's";
+}
+
+TEST(PlanLogTest, WhereAFootWasFeltToLandViolatesNoBox) {
+  const RunOutcome outcome =
+      OutcomeOf(HopScenario(), 480, [](Tick tick, WorldTruth& truth, ControlTick& control) {
+        Hop(tick, truth, control);
+        if (control.feet[0].planned_contact) control.feet[0].contact.adjusted_p_WF.y() += 0.4;
+      });
+  EXPECT_NEAR(NumberOf(outcome, "max_box_violation_m"), 0.01, 1e-12);
 }
 
 TEST(StepLogTest, ClearanceIsTheLowestSwingsApexAboveTheSolesHeight) {
