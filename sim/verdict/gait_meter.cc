@@ -2,6 +2,7 @@
 #include "sim/verdict/gait_meter.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "controller/types/gravity.h"
@@ -39,29 +40,71 @@ void GaitMeter::Add(Tick tick, const WorldTruth& truth, const std::vector<Stance
   SIDESTEP_REQUIRE(stances.size() == plant_.num_feet, stances.size());
   SIDESTEP_REQUIRE(truth.joint_velocity.size() == truth.joint_torque_Nm.size(),
                    truth.joint_velocity.size());
-  if (last_tick_) Integrate(truth, SecondsAt(tick - *last_tick_, tick_s_));
-  last_tick_ = tick;
-  sums_.tick = tick;
-  sums_.p_WC = truth.p_WC.head<2>();
-  for (const TouchDown& touch_down : touch_downs) {
-    if (touch_down.is_step) NoteStep(touch_down);
+  const Instant now = InstantOf(tick, truth, stances);
+  const auto& in_stance = now.in_stance;
+  const bool has_begun = last_ || !recent_.empty();
+  if (!has_begun && std::find(in_stance.begin(), in_stance.end(), true) == in_stance.end()) return;
+  recent_.push_back(now);
+  for (std::size_t foot = 0; foot < plant_.num_feet; ++foot) {
+    if (in_stance[foot]) BridgeBreak(foot);
   }
-  num_loaded_ =
-      static_cast<int>(std::count_if(stances.begin(), stances.end(), [](const StanceMeter& stance) {
-        return stance.bears_load();
-      }));
-  double force_N = 0.0;
-  for (const FootTruth& foot : truth.feet) force_N = std::max(force_N, foot.f_F_W.z());
-  for (double& max_force_N : max_force_N_) max_force_N = std::max(max_force_N, force_N);
+  std::copy_if(touch_downs.begin(), touch_downs.end(), std::back_inserter(steps_),
+               [](const TouchDown& touch_down) { return touch_down.is_step; });
+  const Tick wait = TickAt(kShortestStance_s, tick_s_);
+  while (tick - recent_.front().tick >= wait) {
+    Settle(recent_.front());
+    recent_.pop_front();
+  }
 }
 
-// From the last tick to this one. Feet count as they were at the last one, work as that of the step
-// that led here.
-void GaitMeter::Integrate(const WorldTruth& truth, double dt_s) {
-  const double flight_s = num_loaded_ == 0 ? dt_s : 0.0;
-  sums_.stance_s += num_loaded_ * dt_s;
+GaitMeter::Instant GaitMeter::InstantOf(Tick tick, const WorldTruth& truth,
+                                        const std::vector<StanceMeter>& stances) {
+  Instant instant{tick, {}, truth.p_WC.head<2>(), PositivePower_W(truth), 0.0};
+  for (const StanceMeter& stance : stances) instant.in_stance.push_back(stance.bears_load());
+  for (const FootTruth& foot : truth.feet) {
+    instant.max_force_N = std::max(instant.max_force_N, foot.f_F_W.z());
+  }
+  return instant;
+}
+
+// The foot bears load at the latest tick: if it did so a bounce before, it stood in between.
+void GaitMeter::BridgeBreak(std::size_t foot) {
+  const auto in_stance = [&](const Instant& instant) { return instant.in_stance[foot]; };
+  const auto broken = std::next(recent_.rbegin());
+  const auto before = std::find_if(broken, recent_.rend(), in_stance);
+  if (before == recent_.rend()) return;
+  const Tick break_start = std::prev(before)->tick;
+  if (recent_.back().tick - break_start > TickAt(kBounce_s, tick_s_)) return;
+  std::for_each(broken, before, [&](Instant& instant) { instant.in_stance[foot] = true; });
+}
+
+void GaitMeter::Settle(const Instant& instant) {
+  if (last_) Integrate(instant);
+  last_ = instant;
+  sums_.tick = instant.tick;
+  sums_.p_WC = instant.p_WC;
+  for (; !steps_.empty() && steps_.front().tick <= instant.tick; steps_.pop_front()) {
+    NoteStep(steps_.front());
+  }
+  for (double& max_force_N : max_force_N_) max_force_N = std::max(max_force_N, instant.max_force_N);
+}
+
+GaitMeter GaitMeter::Settled() const {
+  GaitMeter settled = *this;
+  for (const Instant& instant : recent_) settled.Settle(instant);
+  settled.recent_.clear();
+  return settled;
+}
+
+// From the last instant to this one. Feet count as they were at the last one, work as that of the
+// step that led here.
+void GaitMeter::Integrate(const Instant& instant) {
+  const double dt_s = SecondsAt(instant.tick - last_->tick, tick_s_);
+  const auto num_standing = std::count(last_->in_stance.begin(), last_->in_stance.end(), true);
+  const double flight_s = num_standing == 0 ? dt_s : 0.0;
+  sums_.stance_s += static_cast<double>(num_standing) * dt_s;
   sums_.flight_s += flight_s;
-  sums_.work_J += PositivePower_W(truth) * dt_s;
+  sums_.work_J += instant.power_W * dt_s;
   segments_[begun_].duration_s += dt_s;
   segments_[begun_].flight_s += flight_s;
 }
@@ -121,21 +164,25 @@ GaitFigures GaitMeter::FiguresOf(const Segment& segment) const {
 }
 
 std::vector<GaitRecord> GaitMeter::Records() const {
+  const GaitMeter settled = Settled();
   std::vector<GaitRecord> records;
-  for (const Segment& segment : segments_) records.push_back({segment.gait, FiguresOf(segment)});
+  for (const Segment& segment : settled.segments_)
+    records.push_back({segment.gait, FiguresOf(segment)});
   return records;
 }
 
 GaitFigures GaitMeter::LastMoving() const {
-  const auto last = std::find_if(segments_.rbegin(), segments_.rend(), [](const Segment& segment) {
+  const std::vector<Segment> segments = Settled().segments_;
+  const auto last = std::find_if(segments.rbegin(), segments.rend(), [](const Segment& segment) {
     return segment.gait.type != GaitType::kStand;
   });
-  return last == segments_.rend() ? GaitFigures{} : FiguresOf(*last);
+  return last == segments.rend() ? GaitFigures{} : FiguresOf(*last);
 }
 
 double GaitMeter::WalkFlightFraction() const {
+  const GaitMeter settled = Settled();
   double flight_s = 0.0, duration_s = 0.0;
-  for (const Segment& segment : segments_) {
+  for (const Segment& segment : settled.segments_) {
     if (segment.gait.type != GaitType::kWalk) continue;
     flight_s += segment.flight_s;
     duration_s += segment.duration_s;
@@ -144,8 +191,9 @@ double GaitMeter::WalkFlightFraction() const {
 }
 
 double GaitMeter::RunFlightFraction() const {
+  const GaitMeter settled = Settled();
   double flight_s = 0.0, duration_s = 0.0;
-  for (const Segment& segment : segments_) {
+  for (const Segment& segment : settled.segments_) {
     if (segment.gait.type != GaitType::kRun && segment.gait.type != GaitType::kHop) continue;
     flight_s += segment.last.flight_s - segment.first.flight_s;
     duration_s += SecondsAt(segment.last.tick - segment.first.tick, tick_s_);

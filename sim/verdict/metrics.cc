@@ -69,19 +69,20 @@ constexpr std::array kMetrics{
     MetricInfo{"step_length_m", "m",
                "advance of the feet from one touch-down to the next, over the same strides", false,
                kTruth},
-    MetricInfo{"step_frequency_hz", "Hz", "touch-downs of all feet a second, likewise", false,
-               kTruth},
+    MetricInfo{"step_frequency_hz", "Hz", "steps of all feet a second, likewise", false, kTruth},
     MetricInfo{
         "duty_factor", "",
-        "share of the time in which a foot bears load (5 % of the weight), mean of the feet, "
-        "likewise",
+        "share of the time in which a foot is in stance (it bears 5 % of the weight, or did so and "
+        "will within 10 ms), mean of the feet, likewise",
         false, kTruth},
     MetricInfo{"walk_flight_fraction", "",
-               "share of the time of all walks in which no foot bears load", false, kTruth},
-    MetricInfo{"run_flight_fraction", "",
-               "share of the time in which no foot bears load, over the whole strides of all runs "
-               "and hops",
+               "share of the time of all walks in which no foot is in stance, once one has been",
                false, kTruth},
+    MetricInfo{
+        "run_flight_fraction", "",
+        "share of the time in which no foot is in stance, over the whole strides of all runs "
+        "and hops",
+        false, kTruth},
     MetricInfo{"cost_of_transport", "",
                "positive mechanical work of the joints over weight times way of the CoM, over the "
                "strides of gait_speed_mps",

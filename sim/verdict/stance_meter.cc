@@ -5,7 +5,6 @@ namespace sidestep {
 namespace {
 
 constexpr double kSettle_s = 0.01;  // After touch-down; a compliant contact rings shorter.
-constexpr double kBounce_s = 0.01;  // A shorter loss of contact belongs to the stance.
 
 }  // namespace
 

@@ -11,6 +11,9 @@
 
 namespace sidestep {
 
+/// A loss of contact, or of load, that is no longer (s) belongs to the stance.
+constexpr double kBounce_s = 0.01;
+
 class StanceMeter {
  public:
   /// @param tick_s  Length of a tick. @param min_load_N  Vertical force of a foot that bears load.

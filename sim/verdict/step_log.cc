@@ -39,39 +39,81 @@ void StepLog::Add(Tick tick, const WorldTruth& truth, const std::vector<StanceMe
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     if (stances[i].num_stances() == feet_[i].num_stances) continue;
     feet_[i].num_stances = stances[i].num_stances();
-    NoteTouchDown(tick, i, truth.feet[i], nominal);
+    NoteTouchDown(tick, i, truth.feet[i]);
   }
+  const Tick shortest = TickAt(kShortestStance_s, tick_s_);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     Foot& foot = feet_[i];
-    const FootTruth& foot_truth = truth.feet[i];
-    if (stances[i].bears_load()) foot.stance_p_WF = foot_truth.p_WF;
-    if (stances[i].stands() && foot_truth.in_contact) {
-      foot.last_contact_tick = tick;
-      foot.apex_m = kLowest_m;
-      TouchDown& latest = touch_downs_[*foot.touch_down];
-      latest.end_tick = tick + 1;
-      latest.slip_m = std::max(latest.slip_m, stance_slip_m[i]);
-    } else {
-      foot.apex_m = std::max(foot.apex_m, SoleHeight_m(foot.description, foot_truth) -
-                                              GroundHeight_m(ground_, foot_truth.p_WF.head<2>()));
+    if (foot.young && !stances[i].stands()) DropScuff(foot);
+    if (!foot.young) {
+      Follow(tick, foot, truth.feet[i], stances[i], stance_slip_m[i]);
+      continue;
     }
+    FollowYoung(tick, foot, truth.feet[i], stances[i], stance_slip_m[i]);
+    if (tick - foot.young->touch_down.tick >= shortest) Confirm(i, nominal);
   }
 }
 
-void StepLog::NoteTouchDown(Tick tick, std::size_t i, const FootTruth& truth,
-                            const NominalMotion& nominal) {
+void StepLog::NoteTouchDown(Tick tick, std::size_t i, const FootTruth& truth) {
   Foot& foot = feet_[i];
-  const bool is_first = !foot.touch_down;
-  const bool is_step = HasSwung(tick, foot, truth);
-  if (!is_first && !is_step) return;
-  if (!is_first) min_swing_clearance_m_ = std::min(min_swing_clearance_m_, foot.apex_m);
+  TouchDown touch_down;
+  touch_down.foot = i;
+  touch_down.is_step = HasSwung(tick, foot, truth);
+  touch_down.tick = tick;
+  touch_down.p_WF = truth.p_WF;
+  if (touch_down.is_step) {
+    const Foot& from = feet_.size() == 2 ? feet_[1 - i] : foot;
+    const std::optional<Eigen::Vector3d> from_p_WF =
+        from.young ? from.young->stance_p_WF : from.stance_p_WF;
+    foot.young = YoungStep{touch_down, from_p_WF, truth.p_WF};
+  } else if (!foot.touch_down) {
+    foot.touch_down = touch_downs_.size();
+    touch_downs_.push_back(touch_down);
+  }
+}
+
+void StepLog::Follow(Tick tick, Foot& foot, const FootTruth& truth, const StanceMeter& stance,
+                     double slip_m) {
+  if (stance.bears_load()) foot.stance_p_WF = truth.p_WF;
+  if (stance.stands() && truth.in_contact) {
+    foot.last_contact_tick = tick;
+    foot.apex_m = kLowest_m;
+    TouchDown& latest = touch_downs_[*foot.touch_down];
+    latest.end_tick = tick + 1;
+    latest.slip_m = std::max(latest.slip_m, slip_m);
+  } else {
+    foot.apex_m = std::max(foot.apex_m, SoleHeight_m(foot.description, truth) -
+                                            GroundHeight_m(ground_, truth.p_WF.head<2>()));
+  }
+}
+
+void StepLog::FollowYoung(Tick tick, Foot& foot, const FootTruth& truth, const StanceMeter& stance,
+                          double slip_m) {
+  YoungStep& young = *foot.young;
+  if (stance.bears_load()) young.stance_p_WF = truth.p_WF;
+  if (truth.in_contact) young.touch_down.end_tick = tick + 1;
+  young.touch_down.slip_m = std::max(young.touch_down.slip_m, slip_m);
+}
+
+void StepLog::Confirm(std::size_t i, const NominalMotion& nominal) {
+  Foot& foot = feet_[i];
+  YoungStep& young = *foot.young;
+  young.touch_down.adjustment_m = Adjustment_m(i, young, nominal);
+  if (foot.touch_down) min_swing_clearance_m_ = std::min(min_swing_clearance_m_, foot.apex_m);
   foot.touch_down = touch_downs_.size();
-  TouchDown& latest = touch_downs_.emplace_back();
-  latest.foot = i;
-  latest.is_step = is_step;
-  latest.tick = tick;
-  latest.p_WF = truth.p_WF;
-  if (is_step) latest.adjustment_m = Adjustment_m(tick, i, truth.p_WF, nominal);
+  touch_downs_.push_back(young.touch_down);
+  foot.stance_p_WF = young.stance_p_WF;
+  foot.last_contact_tick = young.touch_down.end_tick - 1;
+  foot.apex_m = kLowest_m;
+  foot.young.reset();
+}
+
+// Whoever landed meanwhile has not stepped from there.
+void StepLog::DropScuff(Foot& foot) {
+  foot.young.reset();
+  for (Foot& other : feet_) {
+    if (other.young) other.young->from_p_WF = foot.stance_p_WF;
+  }
 }
 
 // A foot that has not stood yet is taken for one that left the ground at the first tick.
@@ -82,18 +124,15 @@ bool StepLog::HasSwung(Tick tick, const Foot& foot, const FootTruth& truth) cons
          (foot.apex_m >= kLowestSwing_m || moved_m >= kShortestStep_m);
 }
 
-std::optional<double> StepLog::Adjustment_m(Tick tick, std::size_t foot,
-                                            const Eigen::Vector3d& p_WF,
+std::optional<double> StepLog::Adjustment_m(std::size_t foot, const YoungStep& young,
                                             const NominalMotion& nominal) const {
-  const std::optional<Eigen::Vector3d>& from_p_WF =
-      feet_.size() == 2 ? feet_[1 - foot].stance_p_WF : feet_[foot].stance_p_WF;
-  if (!from_p_WF) return std::nullopt;
-  const Eigen::Vector3d step = p_WF - *from_p_WF;
+  if (!young.from_p_WF) return std::nullopt;
+  const Eigen::Vector3d step = young.touch_down.p_WF - *young.from_p_WF;
   const auto off_m = [&](std::size_t contact) {
     return (step - nominal.StepTo(foot, contact)).head<2>().norm();
   };
-  const std::size_t nearest = NearestStart(nominal.starts(foot), tick);
-  const Tick late = tick - nominal.starts(foot)[nearest];
+  const std::size_t nearest = NearestStart(nominal.starts(foot), young.touch_down.tick);
+  const Tick late = young.touch_down.tick - nominal.starts(foot)[nearest];
   const Tick on_time = TickAt(kOnTime_s, tick_s_);
   const bool has_before = nearest > 1;  // number 0 is no step
   const bool has_next = nearest + 1 < nominal.starts(foot).size();

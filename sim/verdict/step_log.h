@@ -3,15 +3,18 @@
 // step_log: where and when the feet came down in truth, and the swings before.
 //
 // A foot has stepped when it stands again after a swing: at least 50 ms off the ground, in which it
-// rose by 5 mm or moved by 1 cm horizontally. Less is rocking. The adjustment of a step needs no
-// controller: it is the step that was taken less the nominal one, horizontally. A step goes from
-// where the other foot stands, or stood last, to the touch-down; with a single foot from where that
-// stood last. So a robot that has drifted off its path pays for no step but the one that it takes
-// elsewhere. The gait's step is that to the foot's contact nearest in time. A touch-down more than
-// 0.1 s from that contact's start may as well have made the contact on its other side, and is
-// compared with the nearer of both steps: a robot whose schedule is late by more than half a stride
-// makes its last whole step when the gait closes its feet, and pays nothing for it. One that is
-// late by whole strides looks as if it were on time, and does.
+// rose by 5 mm or moved by 1 cm horizontally. Less is rocking. And its stance, as StanceMeter has
+// it, must still be under way 50 ms after the touch-down, which is when the step is told: a foot
+// that scuffs the ground on its way swings on.
+//
+// The adjustment of a step needs no controller: it is the step that was taken less the nominal one,
+// horizontally. A step goes from where the other foot stands, or stood last, to the touch-down;
+// with a single foot from where that stood last. So a robot that has drifted off its path pays for
+// no step but the one that it takes elsewhere. The gait's step is that to the foot's contact
+// nearest in time. A touch-down more than 0.1 s from that contact's start may as well have made the
+// contact on its other side, and is compared with the nearer of both steps: a robot whose schedule
+// is late by more than half a stride makes its last whole step when the gait closes its feet, and
+// pays nothing for it. One that is late by whole strides looks as if it were on time, and does.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -27,6 +30,9 @@
 #include "sim/world/world.h"
 
 namespace sidestep {
+
+/// The stance of a step is under way as long after its touch-down (s).
+constexpr double kShortestStance_s = 0.05;
 
 /// A foot that came down to stand.
 struct TouchDown {
@@ -53,8 +59,9 @@ class StepLog {
   void Add(Tick tick, const WorldTruth& truth, const std::vector<StanceMeter>& stances,
            const std::vector<double>& stance_slip_m, const NominalMotion& nominal);
 
-  /// So far, in order of time; those of one tick in the order of feet. The first of each foot is
-  /// the stance of the start, unless the foot began in the air as it would in a swing.
+  /// So far, each foot's in order of time; a step appears kShortestStance_s after its tick. The
+  /// first of each foot is the stance of the start, unless the foot began in the air as it would in
+  /// a swing.
   const std::vector<TouchDown>& touch_downs() const { return touch_downs_; }
 
   /// Adjustments (m) of the steps that came down at or after `from`.
@@ -67,19 +74,32 @@ class StepLog {
  private:
   static constexpr double kLowest_m = -std::numeric_limits<double>::infinity();
 
+  // A step, if its stance lasts; until then the foot's own figures are those of the swing.
+  struct YoungStep {
+    TouchDown touch_down;
+    std::optional<Eigen::Vector3d> from_p_WF;              // where it steps from
+    Eigen::Vector3d stance_p_WF{Eigen::Vector3d::Zero()};  // where it bore load last
+  };
+
   struct Foot {
     FootDescription description;
     int num_stances{0};
     Tick last_contact_tick{0};                   // of a stance; before any, of the first tick
     std::optional<Eigen::Vector3d> stance_p_WF;  // where it bore load last
     std::optional<std::size_t> touch_down;       // its latest
-    double apex_m{kLowest_m};                    // since it was last on the ground to stand
+    std::optional<YoungStep> young;
+    double apex_m{kLowest_m};  // since it was last on the ground to stand
   };
 
-  void NoteTouchDown(Tick tick, std::size_t foot, const FootTruth& truth,
-                     const NominalMotion& nominal);
+  void NoteTouchDown(Tick tick, std::size_t foot, const FootTruth& truth);
+  void Follow(Tick tick, Foot& foot, const FootTruth& truth, const StanceMeter& stance,
+              double slip_m);
+  void FollowYoung(Tick tick, Foot& foot, const FootTruth& truth, const StanceMeter& stance,
+                   double slip_m);
+  void Confirm(std::size_t foot, const NominalMotion& nominal);
+  void DropScuff(Foot& foot);
   bool HasSwung(Tick tick, const Foot& foot, const FootTruth& truth) const;
-  std::optional<double> Adjustment_m(Tick tick, std::size_t foot, const Eigen::Vector3d& p_WF,
+  std::optional<double> Adjustment_m(std::size_t foot, const YoungStep& young,
                                      const NominalMotion& nominal) const;
 
   double tick_s_;

@@ -124,10 +124,10 @@ struct GaitFigures {
   double from_s{kNaN};
   double to_s{kNaN};
   double speed_mps{kNaN};          ///< Of the CoM, horizontally, from there to there.
-  double step_length_m{kNaN};      ///< Advance of the feet from one touch-down to the next.
-  double step_frequency_hz{kNaN};  ///< Touch-downs of all feet.
-  double duty_factor{kNaN};        ///< Share of the time in which a foot bears load; their mean.
-  double flight_fraction{kNaN};    ///< Share of the time in which no foot bears load.
+  double step_length_m{kNaN};      ///< Advance of the feet from one step to the next.
+  double step_frequency_hz{kNaN};  ///< Steps of all feet, a second.
+  double duty_factor{kNaN};        ///< Share of the time of a foot in stance; their mean.
+  double flight_fraction{kNaN};    ///< Share of the time with no foot in stance.
   /// Positive mechanical work of the joints over weight times advance of the CoM; NaN without
   /// motors or on the spot.
   double cost_of_transport{kNaN};

@@ -58,7 +58,7 @@ GaitFigures FiguresOf(const RunOutcome& outcome, std::size_t gait = 0) {
 
 TEST(GaitMeterTest, WalkHasItsSpeedStepsAndNoFlight) {
   // Each foot lands every 1.0 s and stands for 0.7 s; half a period apart, 0.3 m a stride.
-  const RunOutcome outcome = OutcomeOf(ScenarioOf(GaitType::kWalk), 6000,
+  const RunOutcome outcome = OutcomeOf(ScenarioOf(GaitType::kWalk), 6100,
                                        Stepping({1000, 1000, 700}, {1500, 1000, 700}, 0.3));
   const GaitFigures figures = FiguresOf(outcome);
   EXPECT_EQ(figures.strides, 5) << "the left foot's: at 1, 2, 3, 4, 5 and 6 s";
@@ -115,7 +115,7 @@ RunOutcome WalkToRun(Tick end) {
 }
 
 TEST(GaitMeterTest, EachGaitIsMeasuredFromItsFirstStepToTheNextGaitsFirst) {
-  const RunOutcome outcome = WalkToRun(6000);
+  const RunOutcome outcome = WalkToRun(6100);
   ASSERT_EQ(outcome.gaits.size(), 2u);
   EXPECT_EQ(outcome.gaits[0].gait.type, GaitType::kWalk);
   EXPECT_EQ(FiguresOf(outcome, 0).strides, 2);
@@ -131,16 +131,45 @@ TEST(GaitMeterTest, EachGaitIsMeasuredFromItsFirstStepToTheNextGaitsFirst) {
   EXPECT_NEAR(NumberOf(outcome, "duty_factor"), 0.3, 1e-12) << "of the last gait";
 }
 
-TEST(GaitMeterTest, FlightInAWalkCountsOutsideOfWholeStridesToo) {
-  // A hop of both feet in the first second, before any whole stride: 0.1 s of 6 s.
+// Share of flight of a walk of 6 s whose feet are both off the ground from tick `from` to `to`.
+double WalkFlightWithBothFeetUp(Tick from, Tick to) {
   const Script walk = Stepping({1000, 1000, 700}, {1500, 1000, 700}, 0.3);
   const RunOutcome outcome = OutcomeOf(ScenarioOf(GaitType::kWalk), 6000,
                                        [&](Tick tick, WorldTruth& truth, ControlTick& control) {
                                          walk(tick, truth, control);
-                                         if (tick < 200 || tick >= 300) return;
+                                         if (tick < from || tick >= to) return;
                                          for (FootTruth& foot : truth.feet) Swing(foot);
                                        });
-  EXPECT_NEAR(NumberOf(outcome, "walk_flight_fraction"), 0.1 / 6.0, 1e-12);
+  return NumberOf(outcome, "walk_flight_fraction");
+}
+
+TEST(GaitMeterTest, FlightInAWalkCountsOutsideOfWholeStridesToo) {
+  // A hop of both feet in the first second, before any whole stride: 0.1 s of 6 s.
+  EXPECT_NEAR(WalkFlightWithBothFeetUp(200, 300), 0.1 / 6.0, 1e-12);
+}
+
+TEST(GaitMeterTest, ABreakOfStanceOfUpTo10MillisecondsIsNoFlightAndALongerOneCountsWhole) {
+  EXPECT_EQ(WalkFlightWithBothFeetUp(200, 201), 0.0);
+  EXPECT_EQ(WalkFlightWithBothFeetUp(200, 203), 0.0);
+  EXPECT_EQ(WalkFlightWithBothFeetUp(200, 210), 0.0);
+  EXPECT_NEAR(WalkFlightWithBothFeetUp(200, 211), 0.011 / 6.0, 1e-12);
+  EXPECT_NEAR(WalkFlightWithBothFeetUp(200, 220), 0.020 / 6.0, 1e-12);
+  EXPECT_NEAR(WalkFlightWithBothFeetUp(5995, 6001), 0.005 / 6.0, 1e-12) << "nobody came back";
+}
+
+TEST(GaitMeterTest, FlightCountsFromTheFirstTickThatAFootBearsLoad) {
+  EXPECT_EQ(WalkFlightWithBothFeetUp(0, 1), 0.0);
+  EXPECT_EQ(WalkFlightWithBothFeetUp(0, 100), 0.0) << "it is set down";
+}
+
+TEST(GaitMeterTest, ABreakOfStanceIsNoneOfTheDutyFactor) {
+  const Script walk = Stepping({1000, 1000, 700}, {1500, 1000, 700}, 0.3);
+  const RunOutcome outcome = OutcomeOf(ScenarioOf(GaitType::kWalk), 6100,
+                                       [&](Tick tick, WorldTruth& truth, ControlTick& control) {
+                                         walk(tick, truth, control);
+                                         if (tick % 100 < 5) truth.feet[0].f_F_W.setZero();
+                                       });
+  EXPECT_NEAR(FiguresOf(outcome).duty_factor, 0.7, 0.006) << "but for where it lands or lifts off";
 }
 
 TEST(GaitMeterTest, StandHasNoFiguresAndIsNoLastGait) {

@@ -235,7 +235,7 @@ TEST(PushMeterTest, StepsThatCannotBeComparedCountAsWell) {
   Scenario scenario = TwoFeetScenario();
   PushAt(scenario, 0.2, 0.1);
   const RunOutcome outcome =
-      OutcomeOf(scenario, 2000, [](Tick tick, WorldTruth& truth, ControlTick&) {
+      OutcomeOf(scenario, 2100, [](Tick tick, WorldTruth& truth, ControlTick&) {
         const auto lift = [](FootTruth& foot) {
           foot.in_contact = false;
           foot.p_WF.z() = 0.06;

@@ -174,6 +174,49 @@ TEST(StepLogTest, RockingAndBouncingAreNoSteps) {
   EXPECT_EQ(StepsOf(40, 0.006, 0.02), 0u) << "it bounces";
 }
 
+TEST(StepLogTest, AStepIsToldOnceItsStanceHasLasted50Milliseconds) {
+  const Motion walk = Walk(0, 0.0, 0.0);
+  EXPECT_EQ(LogOf(TwoFeetScenario(), 849, walk).touch_downs().size(), 2u);
+  const StepLog log = LogOf(TwoFeetScenario(), 850, walk);
+  ASSERT_EQ(log.touch_downs().size(), 3u);
+  EXPECT_EQ(log.touch_downs()[2].tick, 800);
+  EXPECT_EQ(log.touch_downs()[2].end_tick, 851);
+}
+
+TEST(StepLogTest, AFootThatScuffsTheGroundSwingsOn) {
+  // The left foot's swing from 1800 to 2400 is at the same height on the ground from 2100 on, for
+  // 10 or for 39 ms.
+  const Motion walk = Walk(0, 0.0, 0.0);
+  for (const Tick scuff : {10, 39}) {
+    const StepLog log = LogOf(TwoFeetScenario(), 5000, [&](Tick tick, WorldTruth& truth) {
+      walk(tick, truth);
+      if (tick < 2100 || tick >= 2100 + scuff) return;
+      truth.feet[0].in_contact = true;
+      truth.feet[0].f_F_W.z() = 2.0 * kMinLoad_N;
+      truth.feet[0].p_WF.x() -= 0.03;
+    });
+    ASSERT_EQ(log.touch_downs().size(), 2u + 6u);
+    EXPECT_EQ(log.touch_downs()[4].tick, 2400);
+    for (const double adjustment_m : AdjustmentsOf(log)) EXPECT_NEAR(adjustment_m, 0.0, 1e-12);
+    EXPECT_NEAR(log.min_swing_clearance_m(), 0.04, 1e-12);
+  }
+}
+
+TEST(StepLogTest, NobodyStepsFromWhereTheOtherFootScuffed) {
+  // The right foot is in its swing when the left one lands at 2400, and scuffs from 2390 on.
+  const Motion walk = Walk(0, 0.0, 0.0);
+  const StepLog log = LogOf(TwoFeetScenario(), 2600, [&](Tick tick, WorldTruth& truth) {
+    walk(tick, truth);
+    if (tick >= 2100 && tick < 2600) Lift(truth.feet[1], 0.04);
+    if (tick < 2390 || tick >= 2410) return;
+    truth.feet[1].in_contact = true;
+    truth.feet[1].f_F_W.z() = 2.0 * kMinLoad_N;
+    truth.feet[1].p_WF.x() += 0.07;
+  });
+  ASSERT_EQ(AdjustmentsOf(log).size(), 3u);
+  EXPECT_NEAR(AdjustmentsOf(log)[2], 0.0, 1e-12);
+}
+
 TEST(StepLogTest, LowSwingThatGoesSomewhereSetsTheClearance) {
   const StepLog log = LogOf(OneFootScenario(), 1000, [](Tick tick, WorldTruth& truth) {
     if (tick >= 200) truth.feet[0].p_WF.x() = 0.05;
