@@ -2,6 +2,7 @@
 #include "controller/wbc/inverse_dynamics.h"
 
 #include <algorithm>
+#include <array>
 
 #include "controller/model/upright.h"
 #include "controller/wbc/equation_of_motion.h"
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double kStandDamping_per_s = 20.0;      // a standing foot loses what speed it has,
 constexpr double kStandStiffness_per_s2 = 100.0;  // and a sole its tilt: critical
-constexpr double kBaseWeight = 1e-4;              // of a base's acceleration that no task asks for
+constexpr std::array<int, 2> kHorizontalAxes{0, 1};
+constexpr double kBaseWeight = 1e-4;  // of a base's acceleration that no task asks for
 
 DenseQpDimensions MaxDimensions(const ContactForces& forces, const JointLimits& limits,
                                 const RigidBody& body) {
@@ -127,16 +129,23 @@ void InverseDynamics::AddTrunk(const RobotState& state, const RigidBody& body,
                                const std::vector<FootTarget>& feet) {
   const double stiffness = params_.attitude_stiffness_per_s2;
   const double damping = params_.attitude_damping_per_s;
+  const bool has_grip_to_yaw = forces_.size() > 3;
   if (body.has_torso()) {
     const TorsoKinematics& torso = body.torso();
     const Eigen::Vector3d wdot_WT =
         stiffness * RotationError_W(torso.R_WT, UprightFacingAs(feet)) - damping * torso.w_WT;
-    qp_.AddTask(TrunkAcceleration(body, wdot_WT), params_.attitude_weight);
+    const Task task = TrunkAcceleration(body, wdot_WT);
+    // A base that moves in a plane has no yaw to weigh.
+    if (has_grip_to_yaw || body.base().is_sagittal()) {
+      qp_.AddTask(task, params_.attitude_weight);
+    } else {
+      qp_.AddTask(task, params_.attitude_weight, kHorizontalAxes);
+    }
     return;
   }
   // wdot_WB_B is nudot's own, so that J picks axes.
   const Eigen::Vector3d wdot_B = stiffness * UprightError_B(state.q_WB) - damping * state.w_WB_B;
-  const double yaw_weight = forces_.size() > 3 ? params_.attitude_weight : 0.0;
+  const double yaw_weight = has_grip_to_yaw ? params_.attitude_weight : 0.0;
   const Eigen::Vector3d weight(params_.attitude_weight, params_.attitude_weight, yaw_weight);
   Eigen::Index row = body.base().num_linear();
   for (const int axis : body.base().angular_axes()) {

@@ -30,6 +30,15 @@ void QpBuilder::AddTask(const Task& task, double weight) {
   qp_.g.head(nv).noalias() -= weight * task.J.transpose() * task.target;
 }
 
+void QpBuilder::AddTask(const Task& task, double weight, std::span<const int> axes) {
+  const Eigen::Index nv = task.J.cols();
+  for (const int axis : axes) {
+    const auto row = task.J.row(axis);
+    qp_.H.topLeftCorner(nv, nv).noalias() += weight * row.transpose() * row;
+    qp_.g.head(nv).noalias() -= weight * task.target[axis] * row.transpose();
+  }
+}
+
 void QpBuilder::AddTaskOn(Eigen::Index first, const Eigen::Ref<const Eigen::MatrixXd>& J,
                           const Eigen::Vector3d& target, double weight) {
   const Eigen::Index size = J.cols();

@@ -43,6 +43,9 @@ class QpBuilder {
   /// Weighs a task, all its rows alike.
   void AddTask(const Task& task, double weight);
 
+  /// Weighs those of its rows x, y and z that `axes` names.
+  void AddTask(const Task& task, double weight, std::span<const int> axes);
+
   /// Weighs |J y - target|^2 by one figure, where y are the variables from `first` on, as many as J
   /// (3 rows) has columns.
   void AddTaskOn(Eigen::Index first, const Eigen::Ref<const Eigen::MatrixXd>& J,

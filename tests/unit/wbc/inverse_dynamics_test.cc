@@ -180,6 +180,31 @@ TEST_F(InverseDynamicsTest, TurningBaseIsSlowedDown) {
   EXPECT_LT(CarryOut().nudot[4], -0.1);
 }
 
+// Neither of the base nor of a site of the torso: the leg must not be swung for it.
+TEST_F(InverseDynamicsTest, OnAPointNoTaskTurnsTheTrunkAboutTheVertical) {
+  const auto torques_Nm = [&](const std::string& torso, double yaw_rate_radps) -> Eigen::VectorXd {
+    RobotDescription robot = robot_;
+    robot.torso = torso;
+    RigidBody body(robot);
+    RobotState state = state_;
+    state.joint_position.head<2>() << 0.3, 0.2;  // the leg has a way about the vertical
+    state.w_WB_B = {0.0, 0.0, yaw_rate_radps};
+    body.Update(state);
+    body.FillDerived(&state);
+    InverseDynamics control(robot, StiffTrunk(), body);
+    std::vector<FootTarget> feet = feet_;
+    feet[0].p_WF = state.feet[0].p_WF;
+    const ComTarget com{state.p_WC, state.v_WC, Eigen::Vector3d::Zero()};
+    ActuatorCommand command;
+    EXPECT_TRUE(control.Solve(state, body, com, feet, &command).ok);
+    return command.torque_Nm;
+  };
+  for (const double yaw_rate_radps : {0.0, 0.3}) {
+    EXPECT_LT((torques_Nm("", yaw_rate_radps) - torques_Nm("imu", yaw_rate_radps)).norm(), 1e-5)
+        << yaw_rate_radps;
+  }
+}
+
 TEST_F(InverseDynamicsTest, AskedForTooMuchTorquesStayWithinTheirLimits) {
   for (const Eigen::Vector3d& a_WC :
        {Eigen::Vector3d(0.0, 0.0, 1e4), Eigen::Vector3d(1e4, -1e4, 1e3)}) {

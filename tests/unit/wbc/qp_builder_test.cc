@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "models/support/require.h"
 #include "tests/support/random_dense_qp.h"
 
@@ -38,6 +40,21 @@ TEST_F(QpBuilderTest, TaskCostsTheWeightedSquareOfWhatItLeaves) {
   const double at_zero = 0.5 * 2.0 * target_.squaredNorm();
   EXPECT_NEAR(Cost(x_) + at_zero, expected, kRounding * expected);
   EXPECT_GT(expected, 1.0);
+}
+
+TEST_F(QpBuilderTest, OfATaskOnlyTheNamedRowsAreWeighed) {
+  qp_.AddTask(task_, 2.0, std::array{0, 2});
+  Eigen::Vector3d left = J_ * x_.head(kVelocities) - target_;
+  Eigen::Vector3d target = target_;
+  left.y() = target.y() = 0.0;
+  EXPECT_NEAR(Cost(x_) + target.squaredNorm(), left.squaredNorm(), kRounding * left.squaredNorm());
+  QpBuilder other{{12, 8, 5}};
+  other.Start(kVariables);
+  other.AddTask(task_, 2.0, kAllAxes);
+  qp_.Start(kVariables);
+  qp_.AddTask(task_, 2.0);
+  EXPECT_LT((qp_.View().H - other.View().H).norm(), kRounding * qp_.View().H.norm());
+  EXPECT_LT((qp_.View().g - other.View().g).norm(), kRounding * qp_.View().g.norm());
 }
 
 TEST_F(QpBuilderTest, TaskOnSomeVariablesIsATaskWithZerosBefore) {
