@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <limits>
 
 namespace sidestep {
 namespace {
@@ -51,20 +51,34 @@ void Join(const GroundSlab& slab, std::vector<GroundSlab>* slabs) {
   slabs->push_back(slab);
 }
 
+/// Whether `at`, or what is just before or beyond it, lies between two edges.
+bool IsBetween(double at, double from, double to, bool beyond) {
+  return beyond ? from <= at && at < to : from < at && at <= to;
+}
+
+/// Height next to a place, ahead of it or behind, to its left or right: at an edge the sides
+/// differ.
+double HeightBeside_m(const std::vector<GroundPatch>& ground, const Eigen::Vector2d& place_W,
+                      bool ahead, bool left) {
+  for (const GroundPatch& patch : ground) {
+    if (IsBetween(place_W.x(), patch.from_x_m, patch.to_x_m, ahead) &&
+        IsBetween(place_W.y(), patch.from_y_m, patch.to_y_m, left)) {
+      return patch.height_m;
+    }
+  }
+  return 0.0;
+}
+
 }  // namespace
 
 double GroundHeight_m(const std::vector<GroundPatch>& ground, const Eigen::Vector2d& place_W) {
-  std::optional<double> height_m;
-  bool is_inside = false;
-  for (const GroundPatch& patch : ground) {
-    if (place_W.x() < patch.from_x_m || place_W.x() > patch.to_x_m) continue;
-    if (place_W.y() < patch.from_y_m || place_W.y() > patch.to_y_m) continue;
-    height_m = std::max(height_m.value_or(patch.height_m), patch.height_m);
-    is_inside = is_inside || (place_W.x() > patch.from_x_m && place_W.x() < patch.to_x_m &&
-                              place_W.y() > patch.from_y_m && place_W.y() < patch.to_y_m);
+  double height_m = -std::numeric_limits<double>::infinity();
+  for (const bool ahead : {false, true}) {
+    for (const bool left : {false, true}) {
+      height_m = std::max(height_m, HeightBeside_m(ground, place_W, ahead, left));
+    }
   }
-  if (!height_m) return 0.0;
-  return is_inside ? *height_m : std::max(*height_m, 0.0);
+  return height_m;
 }
 
 double LowestGround_m(const std::vector<GroundPatch>& ground) {

@@ -22,7 +22,8 @@ struct GroundSlab {
   double height_m;
 };
 
-/// Height of the ground at a place (m): 0 outside all patches; at an edge the higher side's.
+/// Height of the ground at a place (m): 0 outside all patches; at an edge the
+/// highest side's.
 double GroundHeight_m(const std::vector<GroundPatch>& ground, const Eigen::Vector2d& place_W);
 
 /// The lowest height anywhere (m): at most 0, where the plane lies.

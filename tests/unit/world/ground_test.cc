@@ -49,6 +49,15 @@ TEST(GroundTest, AnEdgeBelongsToTheHigherSide) {
   EXPECT_EQ(GroundHeight_m(kStepAndHole, {1.0, 0.5}), 0.03);
 }
 
+TEST(GroundTest, TheSeamOfTwoHolesIsAsDeepAsTheShallowerOne) {
+  const std::vector<GroundPatch> holes{
+      {1.0, 2.0, -1.0, 1.0, -0.03}, {2.0, 3.0, -1.0, 1.0, -0.02}, {2.0, 3.0, 1.0, 2.0, -0.04}};
+  EXPECT_EQ(GroundHeight_m(holes, {2.0, 0.0}), -0.02);
+  EXPECT_EQ(GroundHeight_m(holes, {2.5, 1.0}), -0.02);
+  EXPECT_EQ(GroundHeight_m(holes, {2.0, 1.0}), 0.0) << "level ground meets their corner";
+  EXPECT_EQ(GroundHeight_m(holes, {3.0, 0.0}), 0.0);
+}
+
 TEST(GroundTest, EveryPlaceAboveTheLowestLiesUnderOneSlabOfItsHeight) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> near_m(-4.0, 4.0);
