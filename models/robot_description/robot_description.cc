@@ -45,7 +45,8 @@ void ReadMjcfRobot(ConfigMap& map, RobotDescription* robot) {
   }
   robot->model = ReadMjcfModel(file);
   ReadModelParts(map, {ModelLanguage::kMjcf, ReadMjcfNames(file)}, robot);
-  FindSagittalPlane(robot);
+  const ConfigNode feet = map.Required("feet");
+  FindSagittalPlane(robot, &feet);
   if (const auto rpy = map.Optional("base_rpy_rad")) RequirePlanarStart(*rpy, *robot);
   for (const FootDescription& foot : robot->feet) {
     robot->force_torque.insert(robot->force_torque.end(), foot.force_torque.begin(),

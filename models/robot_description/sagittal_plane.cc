@@ -37,7 +37,15 @@ void CheckJoints(const mjModel& model, const mjData& data, const RobotDescriptio
   }
 }
 
-void FindFeet(const mjModel& model, const mjData& data, RobotDescription* robot) {
+// At the feet's own place, if it is known.
+[[noreturn]] void FailAtFeet(const RobotDescription& robot, const ConfigNode* feet,
+                             const std::string& what) {
+  if (feet == nullptr) Fail(robot, what);
+  feet->Fail("of a base that moves in a plane: " + what);
+}
+
+void FindFeet(const mjModel& model, const mjData& data, const ConfigNode* feet,
+              RobotDescription* robot) {
   double sum_m = 0.0;
   for (FootDescription& foot : robot->feet) {
     const int site = RequireId(model, mjOBJ_SITE, foot.frame);
@@ -45,11 +53,12 @@ void FindFeet(const mjModel& model, const mjData& data, RobotDescription* robot)
     sum_m += foot.lateral_m;
     const ConstMatrix3Map R_WF(data.site_xmat + 9 * site);
     if ((R_WF.col(1) - Eigen::Vector3d::UnitY()).norm() > kRounding) {
-      Fail(*robot, "frame '" + foot.frame + "' must have its y axis along the world's");
+      FailAtFeet(*robot, feet, "frame '" + foot.frame + "' must have its y axis along the world's");
     }
   }
   if (std::abs(sum_m) > kRounding || robot->feet.front().lateral_m < -kRounding) {
-    Fail(*robot, "the feet must be as far to the left, the first one's side, as to the right");
+    FailAtFeet(*robot, feet,
+               "the feet must be as far to the left, the first one's side, as to the right");
   }
 }
 
@@ -84,7 +93,7 @@ void MoveIntoPlane(FootDescription* foot) {
 
 }  // namespace
 
-void FindSagittalPlane(RobotDescription* robot) {
+void FindSagittalPlane(RobotDescription* robot, const ConfigNode* feet) {
   const RobotModel& text = RequireModel(*robot);
   const MjModelPtr model = CompileMjcf(text.simulated_mjcf, "", text.file);
   const int body = RequireId(*model, mjOBJ_BODY, robot->base);
@@ -95,7 +104,7 @@ void FindSagittalPlane(RobotDescription* robot) {
   PlaceAtHome(*model, *robot, data.get());
   mj_comPos(model.get(), data.get());
   CheckJoints(*model, *data, *robot);
-  FindFeet(*model, *data, robot);
+  FindFeet(*model, *data, feet, robot);
   const double com_y_m = data->subtree_com[3 * body + 1];
   if (std::abs(com_y_m) > kRounding) {
     Fail(*robot,

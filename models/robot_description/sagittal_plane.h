@@ -7,6 +7,7 @@
 // that plane: a sole's corners count by where they are along x and z of F.
 
 #include "models/robot_description/robot_description.h"
+#include "models/support/config_node.h"
 
 namespace sidestep {
 
@@ -14,8 +15,9 @@ namespace sidestep {
 /// beside the plane: sets base_freedom and every foot's lateral_m. Throws ConfigError, naming the
 /// model's file, if joints, feet or CoM of a sagittal robot do not suit its plane: joints turn
 /// about y or slide along x and z, the CoM is at y = 0, feet are as far to the left as to the right
-/// (one alone is at 0) and face forward.
-void FindSagittalPlane(RobotDescription* robot);
+/// (one alone is at 0) and face forward. @param feet  What is said about them is said at this place
+/// of a robot.yaml instead, if there is one.
+void FindSagittalPlane(RobotDescription* robot, const ConfigNode* feet = nullptr);
 
 /// The robot as a controller plans for it. One that is not sagittal is left as it is. Of a sagittal
 /// one the vertices are moved into the plane, along y of F; those that then coincide become one,

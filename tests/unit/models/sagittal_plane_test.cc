@@ -66,6 +66,18 @@ TEST(SagittalPlaneTest, TheFirstFootIsTheLeftOne) {
             "left, the first one's side, as to the right");
 }
 
+TEST(SagittalPlaneTest, WhatIsWrongWithTheFeetIsSaidAtTheirPlace) {
+  const TempFolder folder;
+  const ConfigTree root = ReadConfigFile(folder.Write("robot.yaml", "a: 1\nfeet: [left]\n"));
+  ConfigMap map(root, "");
+  const ConfigNode feet = map.Required("feet");
+  RobotDescription robot = UnfoldedPlanarRobot(folder, kPlanarMjcf);
+  std::swap(robot.feet[0], robot.feet[1]);
+  EXPECT_EQ(folder.ErrorOf([&] { FindSagittalPlane(&robot, &feet); }),
+            "robot.yaml:2:7: error: feet of a base that moves in a plane: the feet must be as far "
+            "to the left, the first one's side, as to the right");
+}
+
 TEST(SagittalPlaneTest, CornersSideBySideBecomeOneVertexInThePlane) {
   const RobotDescription biped = InItsPlane(Shipped("biped"));
   for (const FootDescription& foot : biped.feet) {
