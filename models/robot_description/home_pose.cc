@@ -45,4 +45,21 @@ void PlaceAtHome(const mjModel& model, const RobotDescription& robot, mjData* da
   mj_kinematics(&model, data);
 }
 
+HomePose::HomePose(const RobotDescription& robot)
+    : model_(CompileMjcf(RequireModel(robot).simulated_mjcf, "", robot.model->file)),
+      data_(MakeData(*model_)) {
+  PlaceAtHome(*model_, robot, data_.get());
+}
+
+Eigen::Isometry3d HomePose::X_WO(const std::string& name) const {
+  const int site = mj_name2id(model_.get(), mjOBJ_SITE, name.c_str());
+  const int body = site >= 0 ? -1 : RequireId(*model_, mjOBJ_BODY, name);
+  const mjtNum* place = site >= 0 ? data_->site_xpos + 3 * site : data_->xpos + 3 * body;
+  const mjtNum* axes = site >= 0 ? data_->site_xmat + 9 * site : data_->xmat + 9 * body;
+  Eigen::Isometry3d X_WO;
+  X_WO.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(axes);
+  X_WO.translation() = Eigen::Map<const Eigen::Vector3d>(place);
+  return X_WO;
+}
+
 }  // namespace sidestep

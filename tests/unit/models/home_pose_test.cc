@@ -109,5 +109,14 @@ TEST_F(HomePoseTest, NamesThatTheModelLacksAreConfigErrors) {
             "error: the robot's MJCF has no body called 'trunk'");
 }
 
+TEST_F(HomePoseTest, TellsWhereFramesAndBodiesAre) {
+  Place();
+  const HomePose home(robot_);
+  EXPECT_LT((home.X_WO("left_sole").translation() - Site("left_sole")).norm(), kRounding);
+  EXPECT_LT((home.X_WO(robot_.base).translation() - Base()).norm(), kRounding);
+  EXPECT_LT((home.X_WO(robot_.base).linear().determinant() - 1.0), kRounding);
+  EXPECT_THROW(home.X_WO("nowhere"), ConfigError);
+}
+
 }  // namespace
 }  // namespace sidestep::home_pose_test
