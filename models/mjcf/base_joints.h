@@ -35,8 +35,13 @@ struct BaseMotion {
 /// [linear; angular].
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// How `body` of the model floats; empty if it is no base: its joints are others, or it is not a
-/// child of the world, or a sagittal one lies elsewhere than at y = 0, turned, or off its hinge.
+/// Why `body` of the model can't float, in words that follow "'<body>' can't be the base: ". Empty
+/// if it can: a child of the world with a free joint, or with the plane's three, at y = 0, not
+/// turned, all through its origin. Nothing but gravity and contact acts on a base, so its joints
+/// have neither range, stiffness, damping, friction, armature nor actuator.
+std::string BaseFault(const mjModel& model, int body);
+
+/// How `body` of the model floats; empty where BaseFault() is not.
 std::optional<BaseFreedom> BaseFreedomOf(const mjModel& model, int body);
 
 /// The joints of one base. A value; nothing allocates.

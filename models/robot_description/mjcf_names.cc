@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "models/mjcf/base_joints.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
+#include "models/support/config_node.h"
 
 namespace sidestep {
 namespace {
@@ -65,6 +68,38 @@ std::vector<std::string> NamesOfType(const mjModel& model, int type, int count) 
   return names;
 }
 
+// What <motor> is short for: control is force.
+bool IsMotor(const mjModel& model, int actuator) {
+  return model.actuator_dyntype[actuator] == mjDYN_NONE &&
+         model.actuator_gaintype[actuator] == mjGAIN_FIXED &&
+         model.actuator_gainprm[mjNGAIN * actuator] == 1.0 &&
+         model.actuator_biastype[actuator] == mjBIAS_NONE;
+}
+
+// Why a motor's control is not the joint's torque between -limit and limit.
+std::optional<UnfitMotor> UnfitnessOf(const mjModel& model, int actuator) {
+  if (model.actuator_trntype[actuator] != mjTRN_JOINT) {
+    const char* name = mj_id2name(&model, mjOBJ_ACTUATOR, actuator);
+    return UnfitMotor{name != nullptr ? name : "an unnamed actuator", "acts on no joint"};
+  }
+  const char* joint = mj_id2name(&model, mjOBJ_JOINT, model.actuator_trnid[2 * actuator]);
+  const std::string name = joint != nullptr ? joint : "an unnamed joint";
+  const mjtNum gear = model.actuator_gear[6 * actuator];
+  if (!IsMotor(model, actuator)) return UnfitMotor{name, "is no <motor>"};
+  if (gear != 1.0) return UnfitMotor{name, "has the gear " + NumberText(gear)};
+  if (model.actuator_ctrllimited[actuator] == 0) return UnfitMotor{name, "has no ctrlrange", true};
+  const mjtNum* range = model.actuator_ctrlrange + 2 * actuator;
+  const std::string range_text = NumberText(range[0]) + " " + NumberText(range[1]);
+  if (range[1] <= 0.0 || range[0] != -range[1]) {
+    return UnfitMotor{name, "has the ctrlrange " + range_text, true};
+  }
+  const mjtNum* force = model.actuator_forcerange + 2 * actuator;
+  if (model.actuator_forcelimited[actuator] != 0 && (force[0] > range[0] || force[1] < range[1])) {
+    return UnfitMotor{name, "has a forcerange narrower than its ctrlrange " + range_text, true};
+  }
+  return {};
+}
+
 }  // namespace
 
 MjcfNames ReadMjcfNames(const std::filesystem::path& mjcf) {
@@ -95,9 +130,13 @@ MjcfNames NamesOf(const mjModel& model) {
     }
   }
   for (int id = 0; id < model.nu; ++id) {
-    if (model.actuator_ctrllimited[id] != 0 || model.actuator_trntype[id] != mjTRN_JOINT) continue;
-    const char* name = mj_id2name(&model, mjOBJ_JOINT, model.actuator_trnid[2 * id]);
-    names.unlimited_motors.emplace_back(name != nullptr ? name : "an unnamed joint");
+    if (const auto unfit = UnfitnessOf(model, id)) names.unfit_motors.push_back(*unfit);
+  }
+  for (int body = 1; body < model.nbody; ++body) {
+    const char* name = mj_id2name(&model, mjOBJ_BODY, body);
+    if (name == nullptr || model.body_parentid[body] != 0 || model.body_jntnum[body] == 0) continue;
+    std::string fault = BaseFault(model, body);
+    if (!fault.empty()) names.base_faults.emplace(name, std::move(fault));
   }
   return names;
 }

@@ -5,10 +5,18 @@
 #include <mujoco/mujoco.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace sidestep {
+
+/// An actuator that torque control can't use as it is.
+struct UnfitMotor {
+  std::string joint;          ///< That it moves.
+  std::string what;           ///< Follows "the motor of '<joint>' ".
+  bool lacks_a_limit{false};  ///< It is a motor all the same.
+};
 
 /// Names in the order of the compiled model; unnamed parts are left out.
 struct MjcfNames {
@@ -17,7 +25,9 @@ struct MjcfNames {
   std::vector<std::string> sites;
   std::vector<std::string> joints;  ///< Hinges and slides, but a base's.
   std::vector<std::string> sensors;
-  std::vector<std::string> unlimited_motors;  ///< Joints whose actuator has no range of control.
+  /// Children of the world with joints that are no base, and why: see BaseFault().
+  std::map<std::string, std::string> base_faults;
+  std::vector<UnfitMotor> unfit_motors;
 };
 
 /// Names of a compiled model.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "models/mjcf/base_joints.h"
+#include "models/robot_description/mjcf_names.h"
 #include "models/robot_description/robot_model.h"
 
 namespace sidestep {
@@ -83,7 +84,7 @@ std::vector<std::string> ShippedRobots();
 struct RobotNames {
   std::vector<std::string> bodies;
   std::vector<std::string> frames;
-  std::vector<std::string> unlimited_motors;  ///< Joints whose motor has no range of control.
+  std::vector<UnfitMotor> unfit_motors;  ///< For control by torque.
 };
 
 /// Compiles the model to list its names. Throws ConfigError with MuJoCo's message if it can't.

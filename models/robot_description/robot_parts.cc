@@ -167,8 +167,11 @@ std::vector<FootDescription> ReadFeet(const ConfigNode& node, const KnownParts* 
 
 void ReadModelParts(ConfigMap& map, const KnownParts& parts, RobotDescription* robot) {
   const MjcfNames& names = parts.names;
-  robot->base =
-      ReadPart(map.Required("base"), names.floating_bodies, parts.base_kind, parts.language);
+  const ConfigNode base = map.Required("base");
+  if (const auto fault = names.base_faults.find(ReadName(base)); fault != names.base_faults.end()) {
+    base.Fail("= '" + fault->first + "' can't be the base: " + fault->second);
+  }
+  robot->base = ReadPart(base, names.floating_bodies, parts.base_kind, parts.language);
   const ConfigNode imu = map.Required("imu");
   robot->imu = ReadPart(imu, names.sites, parts.frame_kind, parts.language);
   for (const char* quantity : {"_orientation", "_gyro", "_accelerometer"}) {

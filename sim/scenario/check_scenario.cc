@@ -94,12 +94,14 @@ void CheckMode(const Scenario& scenario, const ConfigTree& root) {
                  "= position needs a robot with servos, which '" + scenario.robot_name +
                      "' lacks; write mode: torque");
   }
-  if (mode != ControlMode::kTorque || !robot.model) return;
-  const std::vector<std::string> unlimited = NamesIn(robot).unlimited_motors;
-  if (!unlimited.empty()) {
+  if (mode == ControlMode::kPassive || !robot.model) return;
+  for (const UnfitMotor& motor : NamesIn(robot).unfit_motors) {
+    if (mode == ControlMode::kPosition && motor.lacks_a_limit) continue;
     FailAtEither(root, "control.mode", "robot",
-                 "= torque needs motors with limits, and '" + unlimited.front() + "' of '" +
-                     scenario.robot_name + "' has none; give it a ctrlrange in the MJCF");
+                 "= " + std::string(EnumName(mode)) + " needs each joint's <motor> to have gear 1" +
+                     (mode == ControlMode::kTorque ? " and a ctrlrange of -limit to limit" : "") +
+                     ", and that of '" + motor.joint + "' of '" + scenario.robot_name + "' " +
+                     motor.what);
   }
 }
 

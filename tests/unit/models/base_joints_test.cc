@@ -154,34 +154,61 @@ TEST(BaseJointsTest, AWholeTurnDoesNotTurnTheBaseOver) {
   EXPECT_LT(base.joints.Read(*base.data).q_WB.angularDistance(motion.q_WB), 1e-7);
 }
 
-TEST(BaseJointsTest, OtherBasesAreErrors) {
-  const std::string error =
-      "toy.xml: error: the base 'base' must be a child of the world with a free joint or, at y = 0 "
-      "and not turned, with slides along x and z and a hinge about y, in this order";
-  const auto error_of = [](const std::string& from, const std::string& to) -> std::string {
-    try {
-      const Base base(Edit(kPlanarMjcf, from, to));
-    } catch (const ConfigError& thrown) {
-      return thrown.what();
-    }
-    return "no error";
-  };
+/// Why the planar robot's base is none after one edit.
+std::string FaultOf(const std::string& from, const std::string& to) {
+  try {
+    const Base base(Edit(kPlanarMjcf, from, to));
+  } catch (const ConfigError& thrown) {
+    const std::string start = "toy.xml: error: 'base' can't be the base: ";
+    const std::string text = thrown.what();
+    EXPECT_EQ(text.substr(0, start.size()), start);
+    return text.substr(start.size());
+  }
+  return "no fault";
+}
 
-  EXPECT_EQ(error_of("\"base_x\" type=\"slide\" axis=\"1 0 0\"",
-                     "\"base_x\" type=\"slide\" axis=\"0 1 0\""),
-            error);
-  EXPECT_EQ(error_of("\"base_pitch\" type=\"hinge\" axis=\"0 1 0\"",
-                     "\"base_pitch\" type=\"hinge\" axis=\"0 1 0\" pos=\"0 0 0.1\""),
-            error)
+TEST(BaseJointsTest, OtherBasesAreErrorsThatNameTheJoint) {
+  const std::string order = " (1 0 0, 0 0 1 and the hinge, in this order)";
+  const std::string along_x = "\"base_x\" type=\"slide\" axis=\"1 0 0\"";
+  const std::string pitch = "\"base_pitch\" type=\"hinge\" axis=\"0 1 0\"";
+  const std::string body = "<body name=\"base\" pos=\"0.3 0 0.9\"";
+  for (const char* axis : {"0 1 0", "-1 0 0", "0 0 1"}) {
+    EXPECT_EQ(FaultOf(along_x, "\"base_x\" type=\"slide\" axis=\"" + std::string(axis) + "\""),
+              "joint 'base_x' of a base that moves in a plane must be a slide along 1 0 0" + order);
+  }
+  EXPECT_EQ(FaultOf("\"base_z\" type=\"slide\"", "\"base_z\" type=\"hinge\""),
+            "joint 'base_z' of a base that moves in a plane must be a slide along 0 0 1" + order);
+  EXPECT_EQ(FaultOf(pitch, pitch + " pos=\"0 0 0.1\""),
+            "joint 'base_pitch' must go through the body's origin")
       << "the origin would move as it turns";
-  EXPECT_EQ(error_of("<body name=\"base\" pos=\"0.3 0 0.9\">",
-                     "<body name=\"base\" pos=\"0.3 0.1 0.9\">"),
-            error);
-  EXPECT_EQ(error_of("<body name=\"base\" pos=\"0.3 0 0.9\">",
-                     "<body name=\"base\" pos=\"0.3 0 0.9\" euler=\"0 0.1 0\">"),
-            error);
-  EXPECT_EQ(error_of("      <joint name=\"base_pitch\" type=\"hinge\" axis=\"0 1 0\"/>\n", ""),
-            error);
+  EXPECT_EQ(FaultOf("\"base_z\" type=\"slide\" axis=\"0 0 1\"",
+                    "\"base_z\" type=\"slide\" axis=\"0 0 1\" ref=\"0.3\""),
+            "joint 'base_z' must have no ref");
+  EXPECT_EQ(FaultOf(body, "<body name=\"base\" pos=\"0.3 0.1 0.9\""),
+            "the body must be at y = 0 in the MJCF");
+  EXPECT_EQ(FaultOf(body, body + " euler=\"0 0.1 0\""),
+            "the body must not be turned where the MJCF has it");
+  EXPECT_EQ(FaultOf("      <joint name=" + pitch + "/>\n", ""),
+            "it has 2 joints, not a free one or the three of a plane");
+}
+
+TEST(BaseJointsTest, NothingMayHinderABase) {
+  const std::string along_x = "\"base_x\" type=\"slide\" axis=\"1 0 0\"";
+  const auto fault_with = [&](const std::string& attribute) {
+    return FaultOf(along_x, along_x + " " + attribute);
+  };
+  const std::string start = "joint 'base_x' has ", end = ", and nothing may hinder a base";
+  EXPECT_EQ(fault_with("range=\"-0.1 0.3\""), start + "a range" + end);
+  EXPECT_EQ(fault_with("stiffness=\"5\""), start + "a stiffness" + end);
+  EXPECT_EQ(fault_with("damping=\"5\""), start + "a damping" + end);
+  EXPECT_EQ(fault_with("frictionloss=\"5\""), start + "a frictionloss" + end);
+  EXPECT_EQ(fault_with("armature=\"5\""), start + "an armature" + end);
+  EXPECT_EQ(FaultOf("<motor name=\"hip_l\"", "<motor joint=\"base_x\"/><motor name=\"hip_l\""),
+            start + "an actuator" + end);
+  const MjModelPtr model = CompileMjcf(
+      Edit(kCrookedMjcf, "<freejoint/>", "<joint type=\"free\" damping=\"5\"/>"), "", "toy.xml");
+  EXPECT_EQ(BaseFault(*model, RequireId(*model, mjOBJ_BODY, "base")),
+            "joint number 1 has a damping, and nothing may hinder a base");
 }
 
 TEST(BaseJointsTest, LegsAreNoBases) {

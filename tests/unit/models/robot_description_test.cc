@@ -55,18 +55,40 @@ TEST(RobotDescriptionTest, NamesComeFromTheMjcf) {
   const RobotNames names = NamesIn(ReadRobotDescription(kRobots / "mini/robot.yaml"));
   EXPECT_EQ(names.bodies, (std::vector<std::string>{"trunk", "thigh", "shank"}));
   EXPECT_EQ(names.frames, (std::vector<std::string>{"imu", "foot"}));
-  EXPECT_TRUE(names.unlimited_motors.empty());
+  EXPECT_TRUE(names.unfit_motors.empty());
 }
 
-TEST(RobotDescriptionTest, MotorsWithoutARangeOfControlAreNamedByTheirJoints) {
+/// What is wrong with the actuator that moves `hip`.
+std::string UnfitnessOf(const std::string& actuator) {
   const TempFolder folder;
   RobotDescription robot = ReadRobotDescription(kRobots / "mini/robot.yaml");
-  robot.model = ReadMjcfModel(
-      folder.Write("loose.xml",
-                   "<mujoco><worldbody><body><freejoint/><geom size=\"0.1\"/><body>"
-                   "<joint name=\"hip\"/><geom size=\"0.1\"/></body></body></worldbody>"
-                   "<actuator><motor joint=\"hip\"/></actuator></mujoco>"));
-  EXPECT_EQ(NamesIn(robot).unlimited_motors, std::vector<std::string>{"hip"});
+  robot.model = ReadMjcfModel(folder.Write(
+      "loose.xml",
+      "<mujoco><compiler autolimits=\"true\"/><worldbody><body><freejoint/><geom size=\"0.1\"/>"
+      "<body><joint name=\"hip\"/><geom size=\"0.1\"/></body></body></worldbody><actuator>" +
+          actuator + "</actuator></mujoco>"));
+  const std::vector<UnfitMotor> unfit = NamesIn(robot).unfit_motors;
+  if (unfit.empty()) return "fit";
+  EXPECT_EQ(unfit[0].joint, "hip");
+  return unfit[0].what + (unfit[0].lacks_a_limit ? "; it lacks a limit" : "");
+}
+
+TEST(RobotDescriptionTest, MotorsThatTorqueControlCanNotUseAreTold) {
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"-4 4\"/>"), "fit");
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"-4 4\" forcerange=\"-5 5\"/>"), "fit");
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\"/>"), "has no ctrlrange; it lacks a limit");
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"-1 4\"/>"),
+            "has the ctrlrange -1 4; it lacks a limit");
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"1 4\"/>"),
+            "has the ctrlrange 1 4; it lacks a limit");
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"-4 4\" forcerange=\"-0.5 0.5\"/>"),
+            "has a forcerange narrower than its ctrlrange -4 4; it lacks a limit");
+  EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"-4 4\" gear=\"-10\"/>"),
+            "has the gear -10");
+  for (const char* kind : {"position kp=\"10\"", "velocity kv=\"1\"", "general gainprm=\"2\""}) {
+    EXPECT_EQ(UnfitnessOf("<" + std::string(kind) + " joint=\"hip\" ctrlrange=\"-4 4\"/>"),
+              "is no <motor>");
+  }
 }
 
 TEST(RobotDescriptionTest, NamesOfACentroidalRobotAreItsComAndFeet) {

@@ -129,12 +129,14 @@ TEST_F(CheckScenarioTest, TorqueControlNeedsMotorsWithLimits) {
                 "com_height_m: 0.45\nbase_height_m: 0.5\nfeet:\n  - {name: foot, frame: foot, "
                 "vertices_m: [[0, 0, 0]]}\n");
   const std::string unlimited = Edit(valid_, "robot: mini", "robot: robot.yaml");
-  EXPECT_EQ(ErrorIn(unlimited),
-            "a.yaml:8:9: error: control.mode = torque needs motors with limits, and 'leg' of "
-            "'robot.yaml' has none; give it a ctrlrange in the MJCF");
-  EXPECT_EQ(ErrorIn(Edit(unlimited, "  mode: torque\n", "")),
-            "a.yaml:3:8: error: control.mode = torque needs motors with limits, and 'leg' of "
-            "'robot.yaml' has none; give it a ctrlrange in the MJCF")
+  EXPECT_EQ(
+      ErrorIn(unlimited),
+      "a.yaml:8:9: error: control.mode = torque needs each joint's <motor> to have gear 1 and a "
+      "ctrlrange of -limit to limit, and that of 'leg' of 'robot.yaml' has no ctrlrange");
+  EXPECT_EQ(
+      ErrorIn(Edit(unlimited, "  mode: torque\n", "")),
+      "a.yaml:3:8: error: control.mode = torque needs each joint's <motor> to have gear 1 and a "
+      "ctrlrange of -limit to limit, and that of 'leg' of 'robot.yaml' has no ctrlrange")
       << "the mode is a default: the robot is to blame";
   EXPECT_EQ(ErrorIn(Edit(unlimited, "mode: torque", "mode: passive")), "no error");
 }
