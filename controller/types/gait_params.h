@@ -49,7 +49,7 @@ struct GaitParams {
     visit("step_length_m", self.step_length_m, Range{-1.0, 1.0},
           "advance along x from one touch-down to the next");
     visit("step_width_m", self.step_width_m, Range{0.0, 1.0},
-          "distance of the feet along y; of a robot of one foot it is 0");
+          "distance of the feet along y; of one foot 0, of a robot in a plane what it has");
     visit("swing_s", self.swing_s, Range{0.05, 5.0}, "walk: a foot's time in the air");
     visit("double_support_s", self.double_support_s, Range{0.0, 5.0},
           "walk: time with both feet on the ground, once a step");

@@ -71,14 +71,14 @@ void ReadBasics(ConfigMap& map, Scenario* scenario) {
 /// Reads the sections: structs as they are, and what files spell in a form of its own.
 class SectionReader {
  public:
-  SectionReader(ConfigMap* map, std::size_t foot_count) : map_(map), foot_count_(foot_count) {}
+  SectionReader(ConfigMap* map, const RobotDescription* robot) : map_(map), robot_(robot) {}
 
   template <typename T>
   void operator()(const char* key, T& section, Meaning /*meaning*/) {
     if (const auto node = map_->Optional(key)) ReadFields(*node, section);
   }
   void operator()(const char* key, std::vector<GaitParams>& gaits, Meaning /*meaning*/) {
-    gaits = ReadGaits(map_->Optional(key), foot_count_);
+    gaits = ReadGaits(map_->Optional(key), *robot_);
   }
   void operator()(const char* key, std::vector<Push>& pushes, Meaning /*meaning*/) {
     if (const auto node = map_->Optional(key)) pushes = ReadPushes(*node);
@@ -92,7 +92,7 @@ class SectionReader {
 
  private:
   ConfigMap* map_;
-  std::size_t foot_count_;
+  const RobotDescription* robot_;
 };
 
 }  // namespace
@@ -109,8 +109,7 @@ Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::
   ReadVersion(map);
   ReadBasics(map, &scenario);
   ReadRobot(map.Required("robot"), note, &scenario);
-  const std::size_t foot_count = scenario.robot.feet.size();
-  Scenario::VisitSections(scenario, SectionReader(&map, foot_count));
+  Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot));
   map.RejectUnknownKeys();
   CheckScenario(scenario, root);
   return scenario;

@@ -13,14 +13,17 @@ namespace {
 
 constexpr double kMaxMetric = 1e12;  // only catches slips of the pen
 
-GaitParams DefaultGait(std::size_t foot_count) {
+// Feet that can't be set elsewhere are as far apart as they are.
+GaitParams DefaultGait(const RobotDescription& robot) {
   GaitParams gait;
-  if (foot_count == 1) gait.step_width_m = 0.0;
+  const bool is_planar = robot.base_freedom == BaseFreedom::kSagittal;
+  if (is_planar) gait.step_width_m = 2.0 * robot.feet.front().lateral_m;
+  if (robot.feet.size() == 1) gait.step_width_m = 0.0;
   return gait;
 }
 
-GaitParams ReadGait(const ConfigNode& node, std::size_t foot_count) {
-  GaitParams gait = DefaultGait(foot_count);
+GaitParams ReadGait(const ConfigNode& node, const GaitParams& defaults) {
+  GaitParams gait = defaults;
   ReadFields(node, gait);
   return gait;
 }
@@ -98,12 +101,14 @@ Expectation ReadExpectation(const ConfigNode& node, const MetricInfo& metric) {
 
 }  // namespace
 
-std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node, std::size_t foot_count) {
-  if (!node) return {DefaultGait(foot_count)};
-  if (node->tree().kind == ConfigKind::kMap) return {ReadGait(*node, foot_count)};
+std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node,
+                                  const RobotDescription& robot) {
+  const GaitParams defaults = DefaultGait(robot);
+  if (!node) return {defaults};
+  if (node->tree().kind == ConfigKind::kMap) return {ReadGait(*node, defaults)};
   if (node->tree().kind != ConfigKind::kList) node->Fail("must be a map of keys or a list of them");
   std::vector<GaitParams> gaits;
-  for (const ConfigNode& element : node->List()) gaits.push_back(ReadGait(element, foot_count));
+  for (const ConfigNode& element : node->List()) gaits.push_back(ReadGait(element, defaults));
   if (gaits.empty()) node->Fail("must hold at least one gait");
   return gaits;
 }

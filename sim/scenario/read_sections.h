@@ -4,7 +4,6 @@
 //
 // Every function throws ConfigError at the offending place.
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -13,9 +12,10 @@
 
 namespace sidestep {
 
-/// `gait: {...}` or a list of them; standing if there is none. A robot of one foot has step_width_m
-/// 0 unless told otherwise.
-std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node, std::size_t foot_count);
+/// `gait: {...}` or a list of them; standing if there is none. Unless told otherwise a robot
+/// of one foot has step_width_m 0, one that moves in a plane its own feet's distance.
+std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node,
+                                  const RobotDescription& robot);
 
 /// `pushes: [...]`, each with force_N, or with magnitude_N and direction_rad in the heading frame.
 std::vector<Push> ReadPushes(const ConfigNode& node);

@@ -259,10 +259,9 @@ TEST_F(CheckScenarioTest, ARobotInAPlaneIsAskedForNothingSideways) {
   EXPECT_EQ(ErrorIn(Edit(text, "0.12", "0.16")),
             "a.yaml:5:34: error: gait.step_width_m = 0.16 must be 0.12" + in_a_plane +
                 ", its feet so far apart");
-  EXPECT_EQ(ErrorIn(Edit(text, ", step_width_m: 0.12", "")),
-            "a.yaml:3:8: error: gait.step_width_m = 0.16 must be 0.12" + in_a_plane +
-                ", its feet so far apart")
-      << "the default is not theirs";
+  EXPECT_EQ(ErrorIn(Edit(text, ", step_width_m: 0.12", "")), "no error");
+  EXPECT_EQ(Read(Edit(text, ", step_width_m: 0.12", "")).gait[0].step_width_m, 0.12)
+      << "its own feet's distance";
   EXPECT_EQ(ErrorIn(Edit(text, "0.12}", "0.12, step_side_m: 0.1}")),
             "a.yaml:5:53: error: gait.step_side_m = 0.1 must be 0" + in_a_plane);
   EXPECT_EQ(error_of_set("control.mpc.box_lower_m=[-0.1, -0.1, 0]"),
