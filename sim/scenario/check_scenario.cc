@@ -8,6 +8,7 @@
 
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
+#include "sim/scenario/check_parts.h"
 
 namespace sidestep {
 namespace {
@@ -15,16 +16,6 @@ namespace {
 // Decimal periods are not exact in binary; 1e-6 of a step is far above their rounding.
 constexpr double kRatioTolerance = 1e-6;
 constexpr double kTimeTolerance_s = 1e-9;
-constexpr double kLengthTolerance_m = 1e-6;
-
-/// Fails about `path` at its own place or, if the file leaves it to its default, at `other`'s.
-[[noreturn]] void FailAtEither(const ConfigTree& root, const std::string& path,
-                               const std::string& other, const std::string& what) {
-  const ConfigTree* culprit = FindPath(root, path);
-  if (culprit == nullptr) culprit = FindPath(root, other);
-  if (culprit == nullptr) FailAtPath(root, path, what);
-  FailAt(culprit->place, path + " " + what);
-}
 
 bool IsWholeNumberOf(double unit_s, double period_s) {
   const double ratio = period_s / unit_s;
@@ -155,89 +146,6 @@ void CheckGaits(const Scenario& scenario, const ConfigTree& root) {
   }
 }
 
-/// Whether a robot that moves in a plane is asked for nothing sideways: its feet keep the distance
-/// that they have, and neither steps nor the CoM's reference leave the plane.
-void CheckPlane(const Scenario& scenario, const ConfigTree& root) {
-  const RobotDescription& robot = scenario.robot;
-  if (scenario.plant != Plant::kMujoco || robot.base_freedom != BaseFreedom::kSagittal) return;
-  const auto require = [&](bool holds, const std::string& path, double value, double wanted) {
-    if (holds) return;
-    FailAtEither(root, path, "robot",
-                 "= " + NumberText(value) + " must be " + NumberText(wanted) + ": '" +
-                     scenario.robot_name + "' moves in a plane" +
-                     (wanted > 0.0 ? ", its feet so far apart" : ""));
-  };
-  const bool is_list = root.Find("gait") != nullptr && root.Find("gait")->kind == ConfigKind::kList;
-  const double width_m = 2.0 * robot.feet.front().lateral_m;
-  for (std::size_t i = 0; i < scenario.gait.size(); ++i) {
-    const GaitParams& gait = scenario.gait[i];
-    const std::string path = is_list ? "gait." + std::to_string(i) : "gait";
-    require(std::abs(gait.step_width_m - width_m) < kLengthTolerance_m, path + ".step_width_m",
-            gait.step_width_m, width_m);
-    require(gait.step_side_m == 0.0, path + ".step_side_m", gait.step_side_m, 0.0);
-  }
-  const MpcParams& mpc = scenario.control.mpc;
-  const PlannerParams& planner = scenario.control.planner;
-  require(mpc.box_lower_m.y() == 0.0, "control.mpc.box_lower_m.1", mpc.box_lower_m.y(), 0.0);
-  require(mpc.box_upper_m.y() == 0.0, "control.mpc.box_upper_m.1", mpc.box_upper_m.y(), 0.0);
-  require(planner.com_sway == 0.0, "control.planner.com_sway", planner.com_sway, 0.0);
-  require(planner.min_step_width_m == 0.0, "control.planner.min_step_width_m",
-          planner.min_step_width_m, 0.0);
-}
-
-/// How far in front of its frame, or behind, any foot's sole reaches (m).
-double SoleReach_m(const RobotDescription& robot) {
-  double reach_m = 0.0;
-  for (const FootDescription& foot : robot.feet) {
-    if (foot.vertices_m.cols() == 0) continue;
-    reach_m = std::max(reach_m, foot.vertices_m.row(0).cwiseAbs().maxCoeff());
-  }
-  return reach_m;
-}
-
-void CheckPatch(const GroundPatch& patch, const std::string& path, double start_reach_m,
-                const ConfigTree& root) {
-  if (patch.from_x_m >= patch.to_x_m) {
-    FailAtPath(root, path + ".to_x_m",
-               "= " + NumberText(patch.to_x_m) +
-                   " must lie beyond from_x_m = " + NumberText(patch.from_x_m));
-  }
-  if (patch.from_y_m >= patch.to_y_m) {
-    FailAtEither(root, path + ".to_y_m", path + ".from_y_m",
-                 "= " + NumberText(patch.to_y_m) +
-                     " must lie beyond from_y_m = " + NumberText(patch.from_y_m));
-  }
-  if (patch.from_x_m < start_reach_m && patch.to_x_m > -start_reach_m) {
-    FailAtPath(root, path,
-               "lies where the robot starts: its soles reach " + NumberText(start_reach_m) +
-                   " m from x = 0, either way");
-  }
-}
-
-bool Overlap(const GroundPatch& a, const GroundPatch& b) {
-  return a.from_x_m < b.to_x_m && b.from_x_m < a.to_x_m && a.from_y_m < b.to_y_m &&
-         b.from_y_m < a.to_y_m;
-}
-
-/// Whether the ground's patches are rectangles, clear of each other and of the robot's start.
-void CheckGround(const Scenario& scenario, const ConfigTree& root) {
-  const std::vector<GroundPatch>& ground = scenario.world.ground;
-  if (!ground.empty() && scenario.plant == Plant::kCentroidal) {
-    FailAtPath(root, "world.ground",
-               "means nothing on the centroidal plant, whose feet go where they are told; leave it "
-               "out, or write plant: mujoco");
-  }
-  const double start_reach_m = SoleReach_m(scenario.robot);
-  for (std::size_t i = 0; i < ground.size(); ++i) {
-    const std::string path = "world.ground." + std::to_string(i);
-    CheckPatch(ground[i], path, start_reach_m, root);
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!Overlap(ground[i], ground[j])) continue;
-      FailAtPath(root, path, "overlaps world.ground." + std::to_string(j));
-    }
-  }
-}
-
 /// Parts that a push may name: the MJCF's, or the reduced model's on the centroidal plant.
 std::vector<std::string> PushableParts(const Scenario& scenario) {
   RobotDescription robot = scenario.robot;
@@ -269,6 +177,14 @@ void CheckPushes(const Scenario& scenario, const ConfigTree& root) {
 
 }  // namespace
 
+void FailAtEither(const ConfigTree& root, const std::string& path, const std::string& other,
+                  const std::string& what) {
+  const ConfigTree* culprit = FindPath(root, path);
+  if (culprit == nullptr) culprit = FindPath(root, other);
+  if (culprit == nullptr) FailAtPath(root, path, what);
+  FailAt(culprit->place, path + " " + what);
+}
+
 void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
   CheckPlant(scenario, root);
   CheckMode(scenario, root);
@@ -276,9 +192,9 @@ void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
   CheckRates(scenario, root);
   CheckMpc(scenario.control.mpc, root);
   CheckGaits(scenario, root);
-  CheckPlane(scenario, root);
   CheckGround(scenario, root);
   CheckPushes(scenario, root);
+  CheckPlane(scenario, root);
 }
 
 }  // namespace sidestep

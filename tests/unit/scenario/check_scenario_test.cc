@@ -47,10 +47,17 @@ TEST_F(CheckScenarioTest, GroundIsMadeOfRectanglesClearOfTheStartAndOfEachOther)
                   "0.5}, {from_x_m: -9, to_x_m: -1, from_y_m: 0, to_y_m: 1, height_m: 0}"),
             "no error")
       << "patches may touch";
-  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 1, height_m: 0.1}"),
-            "a.yaml:15:40: error: world.ground.0.to_x_m = 1 must lie beyond from_x_m = 1");
+  EXPECT_EQ(
+      error("{from_x_m: 1, to_x_m: 1, height_m: 0.1}"),
+      "a.yaml:15:40: error: world.ground.0.to_x_m = 1 must lie 0.01 m or more beyond from_x_m "
+      "= 1");
+  EXPECT_EQ(error("{from_x_m: 1, to_x_m: 1.009, height_m: 0.1}"),
+            "a.yaml:15:40: error: world.ground.0.to_x_m = 1.009 must lie 0.01 m or more beyond "
+            "from_x_m = 1");
+  EXPECT_EQ(error("{from_x_m: 1.1, to_x_m: 1.11, height_m: 0.1}"), "no error");
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, from_y_m: 100, height_m: 0.1}"),
-            "a.yaml:15:53: error: world.ground.0.to_y_m = 100 must lie beyond from_y_m = 100");
+            "a.yaml:15:53: error: world.ground.0.to_y_m = 100 must lie 0.01 m or more beyond "
+            "from_y_m = 100");
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: 0.6}"),
             "a.yaml:15:53: error: world.ground.0.height_m = 0.6 violates -0.5 <= height_m <= 0.5");
   EXPECT_EQ(error("{from_x_m: 1, height_m: 0.1}"),
@@ -58,9 +65,37 @@ TEST_F(CheckScenarioTest, GroundIsMadeOfRectanglesClearOfTheStartAndOfEachOther)
   EXPECT_EQ(error("{from_x_m: 1, to_x_m: 2, height_m: 0.1}, {from_x_m: 1.9, to_x_m: 3, height_m: "
                   "0.1}"),
             "a.yaml:15:59: error: world.ground.1 overlaps world.ground.0");
-  EXPECT_EQ(error("{from_x_m: -1, to_x_m: 0.1, height_m: 0.1}"),
-            "a.yaml:15:18: error: world.ground.0 lies where the robot starts: its soles reach 0 m "
-            "from x = 0, either way");
+  EXPECT_EQ(
+      error("{from_x_m: -1, to_x_m: 0.1, height_m: 0.1}"),
+      "a.yaml:15:18: error: world.ground.0 lies where the robot starts: foot 'foot' stands at "
+      "x = 0 to 0 m, y = 0 to 0 m");
+}
+
+TEST_F(CheckScenarioTest, GroundIsLevelUnderEverySoleAtTheStart) {
+  // Its soles of 0.19 m x 0.09 m are at x = 0, y = +-0.06.
+  const std::string biped = SIDESTEP_SOURCE_DIR "/models/biped/robot.yaml";
+  const auto error = [&](const std::string& patch) {
+    return ErrorIn("sidestep: 1\nname: a\nrobot: " + biped + "\nduration_s: 1\nworld: {ground: [{" +
+                   patch + ", height_m: 0.1}]}\n");
+  };
+  EXPECT_EQ(error("from_x_m: 0.09, to_x_m: 0.3"),
+            "a.yaml:5:18: error: world.ground.0 lies where the robot starts: foot 'left' stands at "
+            "x = -0.095 to 0.095 m, y = 0.015 to 0.105 m");
+  EXPECT_EQ(error("from_x_m: -1, to_x_m: 1, from_y_m: -0.3, to_y_m: 0").substr(0, 74),
+            "a.yaml:5:18: error: world.ground.0 lies where the robot starts: foot 'righ");
+  EXPECT_EQ(error("from_x_m: 0.1, to_x_m: 0.3"), "no error");
+  EXPECT_EQ(error("from_x_m: -1, to_x_m: 1, from_y_m: 2"), "no error") << "beside it";
+}
+
+TEST_F(CheckScenarioTest, PatchesAreNotWithoutNumber) {
+  std::string patches;
+  for (int i = 0; i < 201; ++i) {
+    const std::string from = std::to_string(1 + i % 50), side = std::to_string(i / 50);
+    patches += "{from_x_m: " + from + ", to_x_m: " + from + ".5, from_y_m: " + side +
+               ", to_y_m: " + side + ".5, height_m: 0.1}, ";
+  }
+  EXPECT_EQ(ErrorOfEdit("friction: 0.9", "ground: [" + patches + "]"),
+            "a.yaml:15:17: error: world.ground has 201 patches; at most 200 are allowed");
 }
 
 TEST_F(CheckScenarioTest, TheCentroidalPlantHasLevelGround) {
@@ -279,6 +314,27 @@ TEST_F(CheckScenarioTest, ARobotInAPlaneIsAskedForNothingSideways) {
             "--set control.planner.min_step_width_m=0.1: error: "
             "control.planner.min_step_width_m = 0.1 must be 0" +
                 in_a_plane);
+}
+
+TEST_F(CheckScenarioTest, ARobotInAPlaneIsNotPushedSideways) {
+  const std::string rabbit = SIDESTEP_SOURCE_DIR "/models/rabbit/robot.yaml";
+  const auto error = [&](const std::string& force) {
+    return ErrorIn("sidestep: 1\nname: a\nrobot: " + rabbit +
+                   "\nduration_s: 1\npushes:\n  - {body: torso, start_s: 0.1, duration_s: 0.1, " +
+                   force + "}\n");
+  };
+  const std::string in_a_plane = " N, and '" + rabbit + "' moves in a plane: it would not feel it";
+  for (const char* axes : {"", ", frame: heading", ", frame: body"}) {
+    EXPECT_EQ(error("force_N: [20, 0, -5]" + std::string(axes)), "no error");
+    EXPECT_EQ(error("force_N: [20, -3, 0]" + std::string(axes)),
+              "a.yaml:6:59: error: pushes.0.force_N pushes sideways, by -3" + in_a_plane);
+  }
+  for (const char* angle : {"0", "3.1416", "-3.141592653589793"}) {
+    EXPECT_EQ(error("magnitude_N: 50, direction_rad: " + std::string(angle)), "no error");
+  }
+  EXPECT_EQ(error("magnitude_N: 50, direction_rad: 1.5707963267948966"),
+            "a.yaml:6:82: error: pushes.0.direction_rad pushes sideways, by 50" + in_a_plane);
+  EXPECT_NE(error("magnitude_N: 50, direction_rad: 0.001"), "no error");
 }
 
 }  // namespace
