@@ -20,6 +20,8 @@ using ConstVector3Map = Eigen::Map<const Eigen::Vector3d>;
 using ConstMatrix3Map = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 constexpr int kWorldBody = 0;
+// No foot of a robot at home is deeper in the ground than it stands (0.2 mm, measured).
+constexpr double kDeepestStart_m = 0.005;
 
 // Least and greatest torque of each motor (N for a slide).
 Eigen::MatrixX2d MotorRanges(const mjModel& model) {
@@ -44,7 +46,8 @@ MujocoWorld::MujocoWorld(const RobotDescription& robot, const WorldParams& param
       mass_kg_(mj_getTotalmass(model_.get())),
       base_body_(RequireId(*model_, mjOBJ_BODY, robot.base)),
       base_(*model_, base_body_, robot.model->file.string()),
-      servos_(robot.joints, MotorRanges(*model_)) {
+      servos_(robot.joints, MotorRanges(*model_)),
+      is_uneven_(!params.ground.empty()) {
   ResolveNames(robot);
   ResolvePushes(pushes);
   PlaceAtHome(*model_, robot, data_.get());
@@ -52,6 +55,25 @@ MujocoWorld::MujocoWorld(const RobotDescription& robot, const WorldParams& param
   mj_step1(model_.get(), data_.get());
   ReadState();
   UpdatePushes(0);
+  if (is_uneven_) CheckStart(robot);
+}
+
+// Patches of the ground may stand in the robot's way, but not in the robot.
+void MujocoWorld::CheckStart(const RobotDescription& robot) const {
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    const int body1 = model_->geom_bodyid[contact.geom1];
+    const int body2 = model_->geom_bodyid[contact.geom2];
+    if (body1 != kWorldBody && body2 != kWorldBody) continue;
+    const int body = body1 == kWorldBody ? body2 : body1;
+    const bool is_foot = std::any_of(feet_.begin(), feet_.end(), [&](const Foot& foot) {
+      return model_->body_weldid[body] == foot.weld;
+    });
+    if (contact.dist > (is_foot ? -kDeepestStart_m : 0.0)) continue;
+    const char* name = mj_id2name(model_.get(), mjOBJ_BODY, body);
+    throw ConfigError("world.ground: error: a patch lies where '" + robot.name +
+                      "' starts: body '" + (name != nullptr ? name : "") + "' is in the ground");
+  }
 }
 
 int MujocoWorld::SensorAddress(const std::string& name) const {
@@ -268,6 +290,10 @@ void MujocoWorld::CheckValid() {
     return;
   }
   if (!truth_.qpos.allFinite()) invalid_reason_ = "the state is not finite";
+  const double farthest_m = truth_.p_WB.head<2>().cwiseAbs().maxCoeff();
+  if (is_uneven_ && farthest_m > kGroundReach_m) {
+    invalid_reason_ = "the robot left the ground, which is uneven and ends at 100 m";
+  }
 }
 
 }  // namespace sidestep

@@ -28,7 +28,8 @@ namespace sidestep {
 class MujocoWorld final : public World {
  public:
   /// Places the robot in its home posture. Throws ConfigError for names that the MJCF lacks, for
-  /// a robot without one, and for servos that are not those of the MJCF's motors, in their order.
+  /// a robot without one, and for servos that are not those of the MJCF's motors, in their order,
+  /// and for uneven ground that lies in the robot.
   MujocoWorld(const RobotDescription& robot, const WorldParams& params,
               const std::vector<Push>& pushes);
 
@@ -79,6 +80,8 @@ class MujocoWorld final : public World {
   void ReadFeet();
   void ReadSensors();
   void CheckValid();
+  /// Throws ConfigError if a patch of the ground lies in the robot at home.
+  void CheckStart(const RobotDescription& robot) const;
 
   std::shared_ptr<const mjModel> model_;  // the same for all copies
   MjState data_;
@@ -92,6 +95,7 @@ class MujocoWorld final : public World {
   std::vector<int> joint_;  // of each actuator
   std::vector<JointInfo> joints_;
   JointServos servos_;
+  bool is_uneven_;  // the ground, which then has an end
   ImuSensors imu_;
   std::vector<ForceTorqueSensor> force_torque_;
   WorldTruth truth_;            ///< Of the current tick; overwritten in place.

@@ -108,7 +108,8 @@ std::string ListedContacts(const RobotModel& model, const std::vector<GroundPatc
   if (model.ground_pairs.empty()) return {};
   std::string pairs = model.ground_pairs;
   const std::string plane = "geom1=\"" + std::string(kGroundGeom) + "\"";
-  for (std::size_t i = 0; i < GroundSlabs(ground).size(); ++i) {
+  const std::size_t num_slabs = GroundSlabs(ground).size();
+  for (std::size_t i = 0; i < num_slabs; ++i) {
     std::string slab_pairs = model.ground_pairs;
     const std::string slab = "geom1=\"" + SlabGeom(i) + "\"";
     for (std::size_t at = 0; (at = slab_pairs.find(plane, at)) != std::string::npos;) {
@@ -153,7 +154,8 @@ MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
                    const WorldParams& params) {
   std::ostringstream xml;
   xml << "<mujoco model=\"" << name << "_world\">"
-      << "<option timestep=\"" << params.step_s << "\" integrator=\"Euler\"/>" << Surroundings();
+      << "<option timestep=\"" << NumberText(params.step_s) << "\" integrator=\"Euler\"/>"
+      << Surroundings();
   WriteGround(params.ground, xml);
   xml << inhabitant.xml;
   if (inhabitant.model != nullptr) xml << ListedContacts(*inhabitant.model, params.ground);

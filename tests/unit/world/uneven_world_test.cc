@@ -7,6 +7,7 @@
 
 #include "models/mjcf/ground.h"
 #include "models/mjcf/mj_state.h"
+#include "models/support/config_error.h"
 #include "sim/world/box_contacts.h"
 #include "sim/world/make_world.h"
 #include "sim/world/mujoco_world.h"
@@ -53,12 +54,39 @@ TEST(UnevenWorldTest, TheFootStandsAtThePatchesHeight) {
   }
 }
 
-TEST(UnevenWorldTest, ABodyOnASlabHasFallen) {
+TEST(UnevenWorldTest, APatchInTheRobotIsAnError) {
   Scenario scenario = PlainHopper();
   scenario.world.ground = {{-0.5, 0.5, -0.5, 0.5, 0.5}};  // reaches up to the trunk
+  EXPECT_THROW(MakeMujocoWorld(scenario), ConfigError);
+  scenario.world.ground = {{-0.5, 0.5, -0.5, 0.5, 0.01}};
+  EXPECT_THROW(MakeMujocoWorld(scenario), ConfigError) << "the foot is in it";
+  scenario.world.ground = {{0.3, 0.5, -0.5, 0.5, 0.5}};
+  EXPECT_NO_THROW(MakeMujocoWorld(scenario)) << "it stands in front";
+}
+
+TEST(UnevenWorldTest, ABodyOnASlabHasFallen) {
+  Scenario scenario = PlainHopper();
+  scenario.robot.base_height_m += 0.02;
+  scenario.world.ground = {{-20.0, 20.0, -20.0, 20.0, 0.02}};
+  scenario.pushes = {TrunkPush({5.0, 0.0, 0.0}, 0.0, 1.0, Eigen::Vector3d::Zero())};
   MujocoWorld world = MakeMujocoWorld(scenario);
-  world.Step(0);
-  EXPECT_TRUE(world.truth().body_touches_ground);
+  for (Tick tick = 0; tick < 3000 && !world.truth().body_touches_ground; ++tick) world.Step(tick);
+  EXPECT_TRUE(world.truth().body_touches_ground) << "nobody holds it";
+}
+
+TEST(UnevenWorldTest, WhoLeavesTheGroundThatEndsIsInvalid) {
+  Scenario scenario = PlainHopper();
+  scenario.pushes.resize(1);
+  scenario.pushes[0].body = scenario.robot.base;
+  scenario.pushes[0].force_N = {0.0, -1e5, 0.0};
+  scenario.pushes[0].duration_s = 0.1;
+  for (const bool is_uneven : {false, true}) {
+    if (is_uneven) scenario.world.ground = {{1.0, 2.0, -1.0, 1.0, -0.02}};
+    MujocoWorld world = MakeMujocoWorld(scenario);
+    for (Tick tick = 0; tick < 200; ++tick) world.Step(tick);
+    EXPECT_LT(world.truth().p_WB.y(), -100.0);
+    EXPECT_EQ(world.is_valid(), !is_uneven) << world.invalid_reason();
+  }
 }
 
 TEST(UnevenWorldTest, GeomsLieWhereThePatchesSayAndRubAsTheSettingSays) {
