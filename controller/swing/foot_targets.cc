@@ -14,6 +14,8 @@ FootTargets::FootTargets(std::size_t num_feet, StandingRule rule, double tick_s,
 void FootTargets::Update(const RobotState& state, const ContactPlan& plan, Tick tick,
                          std::vector<FootTarget>* feet) {
   SIDESTEP_REQUIRE(feet->size() == feet_.size(), feet->size());
+  double planned_N = 0.0;
+  for (const FootTarget& foot : *feet) planned_N += foot.force_N.z();
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootTarget& target = (*feet)[i];
     const bool stood = target.planned_contact;
@@ -23,18 +25,20 @@ void FootTargets::Update(const RobotState& state, const ContactPlan& plan, Tick 
       feet_[i].has_landed = false;
       feet_[i].swing.LiftOff(target.contact.swing, state.feet[i].p_WF, tick);
     }
-    UpdateFoot(state.feet[i], tick, &feet_[i], &target);
+    const bool is_idle = planned_N > 0.0 && target.force_N.z() <= kIdleShare * planned_N;
+    UpdateFoot(state.feet[i], is_idle, tick, &feet_[i], &target);
   }
 }
 
-void FootTargets::UpdateFoot(const FootState& state, Tick tick, Foot* foot,
+void FootTargets::UpdateFoot(const FootState& state, bool is_idle, Tick tick, Foot* foot,
                              FootTarget* target) const {
   const bool is_down = rule_ == StandingRule::kAsScheduled || state.in_contact;
   if (target->planned_contact && is_down) {
     foot->has_landed = true;
     foot->felt_tick = tick;
   }
-  target->supports = foot->has_landed && tick <= foot->felt_tick + longest_dip_;
+  const bool is_lost = tick > foot->felt_tick + longest_dip_ && !is_idle;
+  target->supports = foot->has_landed && !is_lost;
   if (target->supports) {
     target->p_WF = target->contact.adjusted_p_WF;
     target->v_WF.setZero();

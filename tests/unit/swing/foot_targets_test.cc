@@ -102,6 +102,31 @@ TEST(FootTargetsTest, AStandingFootThatIsNoLongerFeltGoesDownFromThenOn) {
   EXPECT_EQ(again.p_WF, Eigen::Vector3d(0.2, 0.0, 0.0));
 }
 
+// Two feet that stand, of which the second is not felt any more.
+bool SupportsUnfelt(double planned_N) {
+  FootTargets targets(2, StandingRule::kWhenFelt, kTick_s);
+  RobotState state;
+  state.feet.resize(2);
+  ContactPlan plan;
+  plan.feet.assign(2, {Contact(0, 0, 9999, Eigen::Vector3d::Zero())});
+  std::vector<FootTarget> feet(2);
+  for (FootTarget& foot : feet) foot.planned_contact = true;
+  feet[0].force_N.z() = 100.0;
+  feet[1].force_N.z() = planned_N;
+  for (Tick tick = 0; tick < 500; ++tick) {
+    state.feet[0].in_contact = true;
+    state.feet[1].in_contact = tick < 100;
+    targets.Update(state, plan, tick, &feet);
+  }
+  return feet[1].supports;
+}
+
+TEST(FootTargetsTest, AFootThatIsToBearNothingIsNotSearchedForWhenItIsNoLongerFelt) {
+  EXPECT_TRUE(SupportsUnfelt(0.0));
+  EXPECT_TRUE(SupportsUnfelt(1.0)) << "what a solver's barrier leaves is nothing";
+  EXPECT_FALSE(SupportsUnfelt(30.0));
+}
+
 TEST(FootTargetsTest, AFootThatIsDueButNotFeltGoesOnDown) {
   OneStep step(StandingRule::kWhenFelt);
   step.FlyUntil(kLanding);
