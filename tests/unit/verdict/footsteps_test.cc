@@ -258,7 +258,7 @@ TEST(PlanLogTest, BoxViolationIsMeasuredInTheContactsAxes) {
   PlannedContact contact = ContactAt(400);
   contact.R_WF = Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ());
   EXPECT_NEAR(BoxViolation_m(contact), 0.0, 1e-12) << "3 cm along y are now along the box's x";
-  contact.adjusted_p_WF.y() -= 0.025;
+  contact.adjusted_p_WF.x() += 0.025;
   EXPECT_NEAR(BoxViolation_m(contact), 0.005, 1e-12);
   contact.adjusted_p_WF.z() -= 0.5;
   EXPECT_NEAR(BoxViolation_m(contact), 0.005, 1e-12) << "heights are the ground's";
