@@ -120,8 +120,12 @@ void CentroidalNlp::VisitHessian(const ConstVector* x, double cost_factor,
   const MpcWeights& weights = ocp_->weights;
   for (int k = 1; k <= ocp_->knots; ++k) {
     const int column = layout_.knots()[static_cast<std::size_t>(k)].state_column;
-    EmitLower(column + kPosition, cost_factor * PositionHessian(x, k), emit);
+    const bool has_legs = weights.leg_length > 0.0;
+    if (has_legs) EmitLower(column + kPosition, cost_factor * PositionHessian(x, k), emit);
     for (int a = 0; a < 3; ++a) {
+      if (!has_legs) {
+        emit(column + kPosition + a, column + kPosition + a, cost_factor * weights.com(a));
+      }
       emit(column + kAngular + a, column + kAngular + a, cost_factor * weights.angular_momentum(a));
     }
   }
