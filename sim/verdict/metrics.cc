@@ -128,6 +128,24 @@ constexpr std::array kMetrics{
     MetricInfo{"max_box_violation_m", "m",
                "farthest that a planned foothold left its box before the foot landed", false,
                kController},
+    MetricInfo{"rms_com_velocity_error_mps", "m/s",
+               "root mean square error of the CoM velocity that the controller believes", false,
+               kController},
+    MetricInfo{"max_com_velocity_error_mps", "m/s",
+               "largest error of the CoM velocity that the controller believes", false,
+               kController},
+    MetricInfo{"rms_pushed_com_velocity_error_mps", "m/s",
+               "rms_com_velocity_error_mps from each push's start to 1 s after its end", false,
+               kController},
+    MetricInfo{"max_pushed_com_velocity_error_mps", "m/s", "max_com_velocity_error_mps likewise",
+               false, kController},
+    MetricInfo{"rms_push_estimate_error_N", "N",
+               "root mean square error of the horizontal push that the controller believes, "
+               "nothing included",
+               false, kController},
+    MetricInfo{"max_push_estimate_error_N", "N",
+               "largest error of the horizontal push that the controller believes", false,
+               kController},
 };
 
 }  // namespace

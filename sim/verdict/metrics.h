@@ -14,7 +14,7 @@ namespace sidestep {
 /// Whom a metric asks.
 enum class MetricGroup {
   kTruth,      ///< The world alone, beside the scenario: the same for every controller.
-  kController  ///< The controller: what it said it planned and solved.
+  kController  ///< The controller: what it said it believed, planned and solved.
 };
 
 template <>

@@ -45,7 +45,8 @@ RunMeters::RunMeters(const MeterSetup& setup)
       push_(setup.pushes, tick_s_),
       impulse_W_Ns_(setup.pushes.size(), Eigen::Vector3d::Zero()),
       solver_(setup.plan_friction),
-      plan_(stances_.size()) {
+      plan_(stances_.size()),
+      belief_(setup.pushes, tick_s_) {
   SIDESTEP_REQUIRE(setup.mass_kg > 0.0, setup.mass_kg);
 }
 
@@ -86,6 +87,7 @@ void RunMeters::AddBeforeFall(Tick tick, const WorldTruth& truth, const ControlT
   if (control) {
     solver_.Add(tick, *control);
     plan_.Add(*control);
+    belief_.Add(tick, truth, control->state);
   }
   AddFeet(tick, truth);
   flight_.Add(truth, nominal_.ComAt(tick).p_WC.z());
@@ -193,6 +195,12 @@ void RunMeters::AddControllerMetrics(Metrics& metrics) const {
       {"solver_fallbacks", static_cast<double>(solver_.fallbacks())},
       {"max_cone_violation_N", solver_.max_cone_violation_N()},
       {"max_box_violation_m", plan_.max_box_violation_m()},
+      {"rms_com_velocity_error_mps", belief_.com_velocity_mps().rms()},
+      {"max_com_velocity_error_mps", belief_.com_velocity_mps().max()},
+      {"rms_pushed_com_velocity_error_mps", belief_.pushed_com_velocity_mps().rms()},
+      {"max_pushed_com_velocity_error_mps", belief_.pushed_com_velocity_mps().max()},
+      {"rms_push_estimate_error_N", belief_.push_N().rms()},
+      {"max_push_estimate_error_N", belief_.push_N().max()},
   });
 }
 

@@ -3,8 +3,8 @@
 // run_meters: all that is measured of one run, tick by tick.
 //
 // Two groups, apart from each other to the end: what the truth shows against the scenario's nominal
-// motion, and what the controller said it planned and solved (SolverMeter, PlanLog). The first
-// never looks at a ControlTick. A value: a copy goes on by itself.
+// motion, and what the controller said it believed, planned and solved (BeliefMeter, SolverMeter,
+// PlanLog). The first never looks at a ControlTick. A value: a copy goes on by itself.
 
 #include <Eigen/Core>
 #include <optional>
@@ -13,6 +13,7 @@
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
 #include "sim/scenario/nominal_motion.h"
+#include "sim/verdict/belief_meter.h"
 #include "sim/verdict/fall_meter.h"
 #include "sim/verdict/flight_meter.h"
 #include "sim/verdict/gait_meter.h"
@@ -95,6 +96,7 @@ class RunMeters {
   double last_x_m_{0.0};
   SolverMeter solver_;
   PlanLog plan_;
+  BeliefMeter belief_;
 };
 
 }  // namespace sidestep
