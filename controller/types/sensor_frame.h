@@ -15,8 +15,10 @@ namespace sidestep {
 /// Inertial unit at site U. Orientation is the unit's own attitude filter's output.
 struct ImuSample {
   Eigen::Quaterniond q_WU{Eigen::Quaterniond::Identity()};
-  Eigen::Vector3d gyro_radps{Eigen::Vector3d::Zero()};          ///< w_WU_U.
-  Eigen::Vector3d accelerometer_mps2{Eigen::Vector3d::Zero()};  ///< Specific force, in U.
+  Eigen::Vector3d gyro_radps{Eigen::Vector3d::Zero()};  ///< w_WU_U.
+  /// Specific force, in U; the mean over the period that ends now, which is what the unit's delta
+  /// velocity is over it.
+  Eigen::Vector3d accelerometer_mps2{Eigen::Vector3d::Zero()};
 };
 
 /// What a foot with a touch sensor feels.

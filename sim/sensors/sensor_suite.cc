@@ -57,12 +57,15 @@ SensorFrame SensorSuite::Sample(const WorldTruth& truth) {
   frame.imu.q_WU.normalize();
   frame.imu.gyro_radps =
       truth.imu.gyro_radps + setup_.errors.gyro_bias_radps + Noise3(setup_.errors.gyro_noise_radps);
-  frame.imu.accelerometer_mps2 = truth.imu.accelerometer_mps2 +
-                                 setup_.errors.accelerometer_bias_mps2 +
+  const Eigen::Vector3d specific_force_mps2 =
+      num_accumulated_ > 0 ? truth.imu.q_WU.conjugate() * mean_specific_force_W_mps2_
+                           : truth.imu.accelerometer_mps2;
+  frame.imu.accelerometer_mps2 = specific_force_mps2 + setup_.errors.accelerometer_bias_mps2 +
                                  Noise3(setup_.errors.accelerometer_noise_mps2);
   SampleJoints(truth, &frame);
   SampleFeet(truth, &frame);
   SampleForceTorque(truth, &frame);
+  num_accumulated_ = 0;
   AddPermittedTruth(truth, &frame);
   return frame;
 }
@@ -93,8 +96,14 @@ void SensorSuite::SampleFeet(const WorldTruth& truth, SensorFrame* frame) {
 }
 
 void SensorSuite::Accumulate(const WorldTruth& truth) {
-  if (num_accumulated_ == 0) mean_wrenches_.assign(truth.force_torque.size(), Wrench{});
+  if (num_accumulated_ == 0) {
+    mean_wrenches_.assign(truth.force_torque.size(), Wrench{});
+    mean_specific_force_W_mps2_.setZero();
+  }
   ++num_accumulated_;
+  const Eigen::Vector3d specific_force_W_mps2 = truth.imu.q_WU * truth.imu.accelerometer_mps2;
+  mean_specific_force_W_mps2_ +=
+      (specific_force_W_mps2 - mean_specific_force_W_mps2_) / num_accumulated_;
   for (std::size_t i = 0; i < mean_wrenches_.size(); ++i) {
     Wrench& mean = mean_wrenches_[i];
     mean.force_N += (truth.force_torque[i].force_N - mean.force_N) / num_accumulated_;
@@ -104,7 +113,6 @@ void SensorSuite::Accumulate(const WorldTruth& truth) {
 
 void SensorSuite::SampleForceTorque(const WorldTruth& truth, SensorFrame* frame) {
   std::vector<Wrench> now = num_accumulated_ > 0 ? mean_wrenches_ : truth.force_torque;
-  num_accumulated_ = 0;
   for (Wrench& wrench : now) {
     wrench.force_N += setup_.errors.force_bias_N + Noise3(setup_.errors.force_noise_N);
     wrench.torque_Nm += Noise3(setup_.errors.torque_noise_Nm);

@@ -40,8 +40,10 @@ class SensorSuite {
   /// Throws ContractViolation if rate_hz is not above 0.
   explicit SensorSuite(SensorSetup setup);
 
-  /// Takes a physics step into the mean that force/torque sensors give: of the steps since the last
-  /// Read(), as their own filters against aliasing make it. Without any step a sensor gives what
+  /// Takes a physics step into the means that accelerometer and force/torque sensors give: of the
+  /// steps since the last Read(). Of the forces their own filters against aliasing make it; the IMU
+  /// integrates what it feels and how it turns (delta velocity, strapdown), so that its mean is
+  /// taken in W and told in the axes that U has at the end. Without any step a sensor gives what
   /// acts at the moment.
   void Accumulate(const WorldTruth& truth);
 
@@ -66,9 +68,10 @@ class SensorSuite {
   std::uniform_real_distribution<double> uniform_{0.0, 1.0};
   Eigen::VectorXd encoder_bias_;       // of each joint, drawn with the first frame
   std::vector<Wrench> mean_wrenches_;  // of the steps since the last Read()
-  int num_accumulated_{0};             // those steps
-  std::deque<std::vector<Wrench>> wrenches_in_transit_;  // oldest first
-  std::deque<SensorFrame> in_transit_;                   // oldest first
+  Eigen::Vector3d mean_specific_force_W_mps2_{Eigen::Vector3d::Zero()};  // likewise
+  int num_accumulated_{0};                                               // those steps
+  std::deque<std::vector<Wrench>> wrenches_in_transit_;                  // oldest first
+  std::deque<SensorFrame> in_transit_;                                   // oldest first
   SensorFrame last_;
   bool has_last_{false};
 };
