@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/estimator/leg_odometry.h"
 
+#include "controller/estimator/resting_point.h"
+
 namespace sidestep {
 namespace {
 
@@ -28,6 +30,7 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
   PHt_.setZero(size);
   H_.setZero(size);
   stands_.assign(robot.feet.size(), false);
+  turns_.resize(robot.feet.size());
   state_.feet.resize(robot.feet.size());
   RigidBody at_home(body);
   at_home.WriteHome(&state_);
@@ -56,6 +59,7 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame, RigidBody* body)
   for (std::size_t i = 0; i < robot_.feet.size(); ++i) {
     const bool touches = state_.feet[i].in_contact;
     if (touches != stands_[i]) ReleaseFoot(i);
+    if (touches) TurnFoot(i, stands_[i]);
     if (touches && !stands_[i]) ExpectFloor(i);
     stands_[i] = touches;
     if (!touches) continue;
@@ -99,7 +103,8 @@ void LegOdometry::Predict(const Eigen::Vector3d& a_WU) {
   P_.diagonal().segment<3>(kVelocity).array() += dt * dt * accelerometer_variance;
   const double slip_m = params_.foot_slip_noise_mps * dt;
   for (std::size_t i = 0; i < stands_.size(); ++i) {
-    if (stands_[i]) P_.diagonal().segment<3>(FootAt(i)).array() += slip_m * slip_m;
+    const double wander_m = slip_m * turns_[i].doubt;
+    if (stands_[i]) P_.diagonal().segment<3>(FootAt(i)).array() += wander_m * wander_m;
   }
 }
 
@@ -110,10 +115,21 @@ void LegOdometry::ReleaseFoot(std::size_t foot) {
   P_.diagonal().segment<3>(at).setConstant(kFreeFootVariance_m2);
 }
 
+void LegOdometry::TurnFoot(std::size_t foot, bool has_stood) {
+  const FootState& state = state_.feet[foot];
+  Turn& turn = turns_[foot];
+  const Eigen::Vector3d before_mps = turn.v_WF;
+  turn.p_FP = RestingPoint(robot_.feet[foot], state);
+  turn.v_WF = -state.w_WF.cross(turn.p_FP);
+  const bool is_point = robot_.feet[foot].vertices_m.cols() == 1;  // whose resting point is known
+  turn.doubt = is_point ? 1.0 : 1.0 + state.w_WF.norm() / params_.foot_turn_doubt_radps;
+  if (has_stood) x_.segment<3>(FootAt(foot)) += 0.5 * dt_s_ * (before_mps + turn.v_WF);
+}
+
 void LegOdometry::ExpectFloor(std::size_t foot) {
   if (params_.floor_noise_m == 0.0) return;
   const Eigen::Index height = FootAt(foot) + 2;
-  x_[height] = robot_.feet[foot].sole_height_m;
+  x_[height] = -turns_[foot].p_FP.z();
   P_(height, height) = params_.floor_noise_m * params_.floor_noise_m;
 }
 
@@ -121,8 +137,9 @@ void LegOdometry::CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W,
                               const Eigen::Vector3d& v_UF_W) {
   const Eigen::Index at = FootAt(foot);
   const double position_variance = params_.foot_position_noise_m * params_.foot_position_noise_m;
-  const double velocity_variance =
-      params_.foot_velocity_noise_mps * params_.foot_velocity_noise_mps;
+  const Turn& turn = turns_[foot];
+  const double velocity_noise_mps = turn.doubt * params_.foot_velocity_noise_mps;
+  const double velocity_variance = velocity_noise_mps * velocity_noise_mps;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     H_.setZero();
     H_[kPosition + axis] = -1.0;
@@ -130,12 +147,12 @@ void LegOdometry::CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W,
     CorrectScalar(H_, p_UF_W[axis] - (x_[at + axis] - x_[kPosition + axis]), position_variance);
     H_.setZero();
     H_[kVelocity + axis] = 1.0;
-    CorrectScalar(H_, -v_UF_W[axis] - x_[kVelocity + axis], velocity_variance);
+    CorrectScalar(H_, turn.v_WF[axis] - v_UF_W[axis] - x_[kVelocity + axis], velocity_variance);
   }
   if (params_.floor_noise_m > 0.0) return;  // said once, when it landed
   H_.setZero();
   H_[at + 2] = 1.0;
-  CorrectScalar(H_, robot_.feet[foot].sole_height_m - x_[at + 2], kGroundNoise_m * kGroundNoise_m);
+  CorrectScalar(H_, -turn.p_FP.z() - x_[at + 2], kGroundNoise_m * kGroundNoise_m);
 }
 
 void LegOdometry::CorrectScalar(const Eigen::Ref<const Eigen::RowVectorXd>& H, double innovation,

@@ -6,7 +6,10 @@
 // feet stand is what force sensing says. The filter's state is
 //   x = [p_WU, v_WU, p_WF_1 .. p_WF_n]     (IMU position and velocity, footholds; all in W)
 // predicted with the accelerometer, corrected by a standing foot's kinematics: the foot is where
-// its foothold is, does not move, and stands on flat ground at its sole's height.
+// its foothold is, and the point on which it rests (resting_point.h) does not move and is on flat
+// ground. With the resting point P and the foot's angular velocity w_WF, both felt,
+//   v_WF = -w_WF x p_FP,   and the foothold, which is F's place, moves with it.
+// P is not known well, so that a sole's velocity is doubted the more the faster it turns.
 //
 // Of a base that moves in a plane the belief never leaves it: what IMU and filter say across it is
 // noise, and is left out (RigidBody::Project). Along the plane nothing differs.
@@ -46,6 +49,8 @@ class LegOdometry final : public StateEstimator {
   void Predict(const Eigen::Vector3d& a_WU);
   /// Forgets a foothold, on landing as on lift-off: it may be anywhere.
   void ReleaseFoot(std::size_t foot);
+  /// How the foot turns on the ground since the frame before, which takes its foothold along.
+  void TurnFoot(std::size_t foot, bool has_stood);
   /// What is known of the floor where a foot lands, once: it may be off by floor_noise_m.
   void ExpectFloor(std::size_t foot);
   /// By the foot's place and velocity relative to the IMU, in W, axis by axis.
@@ -53,6 +58,13 @@ class LegOdometry final : public StateEstimator {
   /// One measurement z = H x + noise: no matrix is inverted.
   void CorrectScalar(const Eigen::Ref<const Eigen::RowVectorXd>& H, double innovation,
                      double variance);
+
+  /// A standing foot's motion about the point on which it rests.
+  struct Turn {
+    Eigen::Vector3d p_FP{Eigen::Vector3d::Zero()};  ///< In W (m).
+    Eigen::Vector3d v_WF{Eigen::Vector3d::Zero()};  ///< Of F, were P at rest (m/s).
+    double doubt{1.0};                              ///< Factor of the velocities' deviations.
+  };
 
   RobotDescription robot_;
   EstimatorParams params_;
@@ -64,6 +76,7 @@ class LegOdometry final : public StateEstimator {
   Eigen::VectorXd PHt_;       // scratch
   Eigen::RowVectorXd H_;      // scratch
   std::vector<bool> stands_;  // at the last frame
+  std::vector<Turn> turns_;   // likewise, of feet that stood
   bool has_frame_{false};
   RobotState state_;
 };

@@ -65,6 +65,7 @@ struct EstimatorParams {
   double foot_position_noise_m{0.001};   ///< Per axis and frame.
   double foot_velocity_noise_mps{0.05};  ///< Per axis and frame.
   double foot_slip_noise_mps{0.01};      ///< A foothold may wander by this times dt a frame.
+  double foot_turn_doubt_radps{0.2};     ///< Of soles; the resting point of a point foot is known.
   double floor_noise_m{0.0};             ///< 0: level to 2 mm, in every frame of a stance anew.
   double contact_threshold_N{0.3};       ///< Decides FootState::in_contact.
   double wrench_cutoff_hz{10.0};         ///< Forces and torques alike.
@@ -82,6 +83,8 @@ struct EstimatorParams {
           "assumed standard deviation of a standing foot's velocity by kinematics");
     visit("foot_slip_noise_mps", self.foot_slip_noise_mps, Range{1e-6, 10.0},
           "assumed random walk of a standing foot");
+    visit("foot_turn_doubt_radps", self.foot_turn_doubt_radps, Range{1e-3, 1e6},
+          "a sole that turns so fast as it stands doubles both deviations of its velocity");
     visit("floor_noise_m", self.floor_noise_m, Range{0.0, 1.0},
           "assumed standard deviation of the floor's height from one foothold to another, whose "
           "heights are learned (0: the floor is level)");
