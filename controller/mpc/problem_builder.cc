@@ -2,6 +2,7 @@
 #include "controller/mpc/problem_builder.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "controller/types/friction_pyramid.h"
 
@@ -76,11 +77,18 @@ void ProblemBuilder::FillPhases(std::size_t foot, const std::vector<PlannedConta
   }
 }
 
-// A measured wrench is taken to last for external_wrench_hold_s; the last knot gets its share.
+// A knot gets the mean over its time.
 void ProblemBuilder::FillExternalWrench(const Wrench& wrench) {
+  const double hold_s = params_.external_wrench_hold_s, decay_s = params_.external_wrench_decay_s;
   for (int k = 0; k < params_.knots; ++k) {
-    const double remaining_s = params_.external_wrench_hold_s - grid_.StepsTo(k) * params_.step_s;
-    const double share = std::clamp(remaining_s / ocp_.StepAt(k), 0.0, 1.0);
+    const double step_s = ocp_.StepAt(k);
+    const double start_s = grid_.StepsTo(k) * params_.step_s;
+    double share = std::clamp((hold_s - start_s) / step_s, 0.0, 1.0);
+    if (decay_s > 0.0) {  // the integral of exp(-t / decay_s) over what is left of the knot
+      const double from_s = std::max(start_s - hold_s, 0.0);
+      const double to_s = std::max(start_s + step_s - hold_s, 0.0);
+      share += decay_s / step_s * (std::exp(-from_s / decay_s) - std::exp(-to_s / decay_s));
+    }
     ocp_.external_force_N.col(k) = share * wrench.force_N;
     ocp_.external_torque_Nm.col(k) = share * wrench.torque_Nm;
   }

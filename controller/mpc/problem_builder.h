@@ -65,7 +65,7 @@ class ProblemBuilder {
   /// A foot's planned contacts as phases of knots. One that has begun is fixed where it is; one
   /// that no knot falls into is left out.
   void FillPhases(std::size_t foot, const std::vector<PlannedContact>& planned);
-  /// Constant for external_wrench_hold_s, then zero.
+  /// Constant for external_wrench_hold_s, then fading with external_wrench_decay_s.
   void FillExternalWrench(const Wrench& wrench);
 
   MpcParams params_;

@@ -72,6 +72,9 @@ struct EstimatorParams {
   double wrench_deadband_N{15.0};        ///< Below it the torque is dropped as well.
   double push_cutoff_hz{0.0};            ///< 0 switches the momentum observer off.
   double push_deadband_N{20.0};          ///< Of the horizontal force, the only one observed.
+  double push_settle_s{0.02};            ///< After a foot has landed, its shock would be a push.
+  double push_decay_s{0.15};             ///< Of a push meanwhile; 1/e is left after it.
+  double push_limit_ratio{1.0};          ///< Of what is felt in one frame.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -99,6 +102,12 @@ struct EstimatorParams {
           "felt)");
     visit("push_deadband_N", self.push_deadband_N, Range{0.0, 1e3},
           "a push felt by the momentum below this is taken for none");
+    visit("push_settle_s", self.push_settle_s, Range{0.0, 1.0},
+          "for so long after a foot has landed the momentum tells of no push");
+    visit("push_decay_s", self.push_decay_s, Range{1e-3, 10.0},
+          "time constant with which a push felt before fades meanwhile");
+    visit("push_limit_ratio", self.push_limit_ratio, Range{0.0, 100.0},
+          "largest push that the momentum may tell of, over the robot's weight");
   }
 };
 

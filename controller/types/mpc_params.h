@@ -65,7 +65,8 @@ struct EnumNames<MpcBackend> {
 /// nearest knot. `friction` is that of the plan alone; by default it is smaller than the world's
 /// and than InverseDynamicsParams's, which leaves the forces that are realised room about the
 /// planned ones. external_wrench_hold_s counts only if ControlParams::external_wrench tells of
-/// pushes; a hold that ends between knots gives the last knot its share.
+/// pushes; a hold that ends between knots gives the last knot its share. Whoever feels a push does
+/// not know how long it will last: 0.15 s of decay serves a shove and a push of a second alike.
 struct MpcParams {
   double rate_hz{10.0};  ///< Its period is whole control periods.
   int knots{15};         ///< Cost and memory grow in proportion.
@@ -79,7 +80,8 @@ struct MpcParams {
   Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};    ///< Never below box_lower_m.
   double leg_stretch{0.97};                      ///< Counts only with weights.leg_length.
   double external_wrench_hold_s{0.1};
-  double attitude_rate_radps{0.0};  ///< 0, as in the paper: no levelling.
+  double external_wrench_decay_s{0.0};  ///< A time constant: 1/e is left so long after the hold.
+  double attitude_rate_radps{0.0};      ///< 0, as in the paper: no levelling.
   MpcWeights weights;
 
   template <typename Self, typename Visitor>
@@ -102,6 +104,8 @@ struct MpcParams {
           "share of a stretched leg's length that weights.leg_length takes for the longest");
     visit("external_wrench_hold_s", self.external_wrench_hold_s, Range{0.0, 10.0},
           "a measured or known external wrench is assumed to last this long");
+    visit("external_wrench_decay_s", self.external_wrench_decay_s, Range{0.0, 10.0},
+          "time constant with which it is assumed to fade after that (0: at once)");
     visit("attitude_rate_radps", self.attitude_rate_radps, Range{0.0, 100.0},
           "k of the angular momentum reference I k theta, which levels a base tilted by theta");
     visit("weights", self.weights,

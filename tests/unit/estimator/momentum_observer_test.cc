@@ -19,6 +19,8 @@ class MomentumObserverTest : public testing::Test {
   MomentumObserverTest() {
     params_.push_cutoff_hz = 3.0;
     params_.push_deadband_N = 0.0;
+    params_.push_settle_s = 0.05;
+    params_.push_decay_s = 0.15;
   }
 
   /// What the feet feel in period k: shocks, as in a walk.
@@ -92,6 +94,62 @@ TEST_F(MomentumObserverTest, WithoutCutoffItLooksForNothing) {
 
 TEST_F(MomentumObserverTest, WrenchesTooOldForItsMemoryAreLeftAlone) {
   EXPECT_FALSE(Feed(400, {100.0, 0.0, 0.0}, 0, 60));
+}
+
+/// One observer through the course of a push, a landing, an end.
+class PushCourseTest : public MomentumObserverTest {
+ protected:
+  PushCourseTest() { state_.feet.resize(2); }
+
+  /// So many periods more under a push; the norm of what is seen in the last one (N).
+  double Go(int periods, double push_N) {
+    std::optional<Eigen::Vector2d> seen_N;
+    for (int k = 0; k < periods; ++k) {
+      state_.v_WC.x() += push_N * kTick_s / kMass_kg;
+      seen_N = observer_.Update(Eigen::Vector3d::Zero(), 0.0, state_);
+    }
+    return Norm_N(seen_N);
+  }
+
+  void Stand(bool left, bool right) {
+    state_.feet[0].in_contact = left;
+    state_.feet[1].in_contact = right;
+  }
+
+  RobotState state_;
+  MomentumObserver observer_{params_, kMass_kg, kTick_s};
+};
+
+TEST_F(PushCourseTest, ShockOfALandingIsNotLearnedAndThePushFadesMeanwhile) {
+  Stand(true, false);
+  EXPECT_NEAR(Go(400, 80.0), 80.0, 1e-6);
+  Stand(true, true);
+  // By hand: 10 periods, 50 ms, at a time constant of 150 ms.
+  EXPECT_NEAR(Go(10, -700.0), 80.0 * std::exp(-1.0 / 3.0), 1e-6);
+  EXPECT_NEAR(Go(100, 80.0), 80.0, 0.1) << "it learns again";
+}
+
+TEST_F(PushCourseTest, LiftOffIsNoShock) {
+  Stand(true, true);
+  Go(400, 80.0);
+  Stand(true, false);
+  EXPECT_NEAR(Go(1, 80.0), 80.0, 1e-6);
+}
+
+TEST_F(PushCourseTest, RobotThatStandsFromTheStartHasNotLanded) {
+  Stand(true, true);
+  EXPECT_GT(Go(5, 100.0), 10.0);
+}
+
+TEST_F(PushCourseTest, MoreThanItsWeightIsNoPush) {
+  EXPECT_NEAR(Go(400, 3000.0), kMass_kg * 9.81, 0.5);
+}
+
+TEST_F(PushCourseTest, EndOfAPushIsSeenBeforeItsLowPassFades) {
+  Go(400, 100.0);
+  // By hand, after 9 periods: 100 N * 0.914^9 = 44 N are left in the low-pass, 100 N * 0.78^9
+  // = 10.7 N, less than a quarter of it, in the one three times as quick.
+  EXPECT_NEAR(Go(9, 0.0), 10.7, 0.5);
 }
 
 }  // namespace

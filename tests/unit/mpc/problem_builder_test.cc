@@ -215,6 +215,27 @@ TEST_F(ProblemBuilderTest, MeasuredWrenchLastsForItsHoldTimeFromWithinAKnotToo) 
   }
 }
 
+TEST_F(ProblemBuilderTest, WrenchFadesAfterItsHoldTimeByItsTimeConstant) {
+  MpcParams params = Params();
+  params.external_wrench_hold_s = 0.07;
+  params.external_wrench_decay_s = 0.15;
+  builder_ = ProblemBuilder(params, PointFoot(), kTick_s);
+  state_.external_wrench.force_N = {10.0, -5.0, 0.0};
+  const Eigen::Vector3d& force_N = state_.external_wrench.force_N;
+  for (const Tick tick : {0, 20, 49}) {
+    const CentroidalOcp& ocp = Build({Contact(0, 0, 1000)}, tick, 0);
+    Eigen::Vector3d impulse_Ns = Eigen::Vector3d::Zero();
+    double horizon_s = 0.0;
+    for (int k = 0; k < kKnots; ++k) {
+      impulse_Ns += ocp.StepAt(k) * ocp.external_force_N.col(k);
+      horizon_s += ocp.StepAt(k);
+    }
+    // By hand: the hold, and the integral of the rest up to the horizon's end.
+    const double share_s = 0.07 + 0.15 * (1.0 - std::exp(-(horizon_s - 0.07) / 0.15));
+    EXPECT_LT((impulse_Ns - share_s * force_N).norm(), 1e-12) << tick;
+  }
+}
+
 TEST_F(ProblemBuilderTest, EachProblemStartsWithoutAPreviousForce) {
   Build({Contact(0, 0, 1000)}, 0);
   builder_.ocp().contacts[0].has_previous_force = true;
