@@ -3,7 +3,6 @@
 
 #include "controller/mpc/problem/ocp_json.h"
 #include "controller/planner/gait_geometry.h"
-#include "controller/planner/momentum_reference.h"
 
 namespace sidestep {
 namespace {
@@ -51,11 +50,9 @@ MotionChain::MotionChain(const ControllerSetup& setup, const mpc::RobotModel& ro
       mpc_period_(TickAt(1.0 / params_.rate_hz, tick_s_)),
       planner_(MakePlanner(setup, TouchDownsOf(setup, robot, rule))),
       mpc_(params_, robot, tick_s_),
+      timing_(setup.control.planner.timing, params_, setup.robot.com_height_m, tick_s_),
       foot_targets_(setup.robot.feet.size(), rule, tick_s_, SearchOf(setup.control.planner)),
-      feet_(StandingFeet(setup.robot)) {
-  references_.p_WC.setZero(3, params_.knots + 1);
-  references_.angular_momentum.setZero(3, params_.knots + 1);
-}
+      feet_(StandingFeet(setup.robot)) {}
 
 const ContactPlan& MotionChain::Schedule(const RobotState& state, Tick tick, StageTimer* timer) {
   const ScopedStage stage(timer, Stage::kPlanner);
@@ -67,7 +64,10 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
   report_.ran = false;
   if (SolvesAt(tick)) {
     const ScopedStage stage(timer, Stage::kMpc);
-    SampleReferences(momentum, tick);
+    const auto course = timing_.Choose(state, planner_, momentum, tick, &mpc_);
+    if (course) planner_.Adopt(*course);
+    SampleReferences(planner_.schedule(), mpc_.GridAt(planner_.plan(), tick), momentum, params_,
+                     tick_s_, &references_);
     mpc_.Solve(state, planner_.plan(), references_, tick);
     report_ = mpc_.report();
   }
@@ -83,15 +83,6 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
     com_.a_WC = nominal.a_WC;
   }
   return com_;
-}
-
-void MotionChain::SampleReferences(const Eigen::Vector3d& momentum, Tick tick) {
-  const mpc::KnotGrid grid = mpc_.GridAt(planner_.plan(), tick);
-  for (int k = 0; k <= params_.knots; ++k) {
-    references_.p_WC.col(k) = planner_.ReferenceAt(grid.TickOf(k)).p_WC;
-    references_.angular_momentum.col(k) =
-        MomentumReference(momentum, params_.attitude_rate_radps, grid.StepsTo(k) * params_.step_s);
-  }
 }
 
 const std::vector<FootTarget>& MotionChain::TargetFeet(const RobotState& state, Tick tick,

@@ -15,6 +15,7 @@
 #include "controller/mpc/centroidal_mpc.h"
 #include "controller/planner/gait_planner.h"
 #include "controller/swing/foot_targets.h"
+#include "controller/timing_choice.h"
 
 namespace sidestep {
 
@@ -31,8 +32,9 @@ class MotionChain {
   /// a foot has landed before the plan in use has it.
   bool SolvesAt(Tick tick) const { return tick % mpc_period_ == 0 || planner_.has_landed_early(); }
 
-  /// Second link: solves the MPC if it is due, takes the newest plan that is old enough into use
-  /// and hands its footholds back to the planner. Call every control tick.
+  /// Second link: solves the MPC if it is due, after a pushed walk has chosen when to step, takes
+  /// the newest plan that is old enough into use and hands its footholds back to the planner. Call
+  /// every control tick.
   /// @param momentum  Angular momentum about C to follow from now on (kg m^2/s, in W): see
   ///                  momentum_reference.h. Read only where SolvesAt(tick).
   /// @return          CoM motion that the plan in use implies at `tick`; the nominal one as long as
@@ -51,13 +53,12 @@ class MotionChain {
   std::string LastProblemJson(const std::string& name) const;
 
  private:
-  void SampleReferences(const Eigen::Vector3d& momentum, Tick tick);
-
   MpcParams params_;
   double tick_s_;
   Tick mpc_period_;
   GaitPlanner planner_;
   mpc::CentroidalMpc mpc_;
+  TimingChoice timing_;
   mpc::GridReferences references_;
   FootTargets foot_targets_;
   MpcReport report_;

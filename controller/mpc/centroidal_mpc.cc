@@ -2,6 +2,7 @@
 #include "controller/mpc/centroidal_mpc.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
@@ -28,6 +29,15 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
              solution.kkt_error,
              !IsUsable(solution.status)};
   if (IsUsable(solution.status)) StorePlan(ocp, solution);
+}
+
+double CentroidalMpc::CostOf(const RobotState& state, const ContactPlan& plan,
+                             const GridReferences& references, Tick tick) {
+  builder_.Build(state, plan, references, tick);
+  CentroidalOcp& ocp = builder_.ocp();
+  SetPreviousForces(&ocp, tick);
+  const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp));
+  return IsUsable(solution.status) ? solution.cost : std::numeric_limits<double>::infinity();
 }
 
 bool CentroidalMpc::Activate(Tick tick) {

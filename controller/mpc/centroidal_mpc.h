@@ -26,6 +26,10 @@ class CentroidalMpc {
   void Solve(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
              Tick tick);
 
+  /// The cost of what Solve() would find; infinite if it finds nothing. Changes no plan.
+  double CostOf(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
+                Tick tick);
+
   /// Makes a solution the plan in use once it is latency_s old, however many were made meanwhile.
   /// Call every tick; returns true when the plan changed, and footholds() with it.
   bool Activate(Tick tick);

@@ -6,6 +6,7 @@
 #include "controller/planner/capture_point.h"
 #include "controller/planner/gait_generator.h"
 #include "controller/planner/step_width.h"
+#include "controller/planner/swing_reach.h"
 
 namespace sidestep {
 namespace {
@@ -27,6 +28,7 @@ GaitPlanner::GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Ti
       touch_downs_(touch_downs),
       support_(StandingSupport(setup)) {
   decided_.resize(static_cast<std::size_t>(setup.geometry.num_feet));
+  p_WF_.resize(decided_.size(), Eigen::Vector3d::Zero());
   plan_.feet.resize(decided_.size());
   LayOutPlan();
 }
@@ -76,6 +78,7 @@ void GaitPlanner::Land(GaitSupport* next) {
 
 void GaitPlanner::NoteFeltFeet(const RobotState& state) {
   for (std::size_t foot = 0; foot < decided_.size(); ++foot) {
+    p_WF_[foot] = state.feet[foot].p_WF;
     is_felt_[foot] = state.feet[foot].in_contact;
     if (is_felt_[foot]) support_.feet[foot].nominal.contact.adjusted_p_WF = state.feet[foot].p_WF;
   }
@@ -106,17 +109,28 @@ void GaitPlanner::LayOut(const GaitSupport& support, ContactSchedule* schedule) 
     }
   }
   KeepFeetApart(params_.min_step_width_m, tick_, schedule);
+  if (params_.swing_speed_mps > 0.0) {
+    KeepWithinSwing(p_WF_, params_.swing_speed_mps, tick_, setup_.tick_s, schedule);
+  }
 }
 
 void GaitPlanner::LayOutPlan() {
   LayOut(support_, &schedule_);
-  plan_.grid_tick = support_.tick;
+  TakePlan(support_, schedule_, &plan_);
   for (std::size_t foot = 0; foot < schedule_.feet.size(); ++foot) {
-    const auto& contacts = schedule_.feet[foot];
-    plan_.feet[foot].reserve(contacts.capacity());
-    decided_[foot].reserve(contacts.capacity());
-    plan_.feet[foot].clear();
-    for (const NominalContact& nominal : contacts) plan_.feet[foot].push_back(nominal.contact);
+    decided_[foot].reserve(schedule_.feet[foot].capacity());
+  }
+}
+
+void GaitPlanner::TakePlan(const GaitSupport& support, const ContactSchedule& schedule,
+                           ContactPlan* plan) {
+  plan->grid_tick = support.tick;
+  plan->feet.resize(schedule.feet.size());
+  for (std::size_t foot = 0; foot < schedule.feet.size(); ++foot) {
+    const auto& contacts = schedule.feet[foot];
+    plan->feet[foot].reserve(contacts.capacity());
+    plan->feet[foot].clear();
+    for (const NominalContact& nominal : contacts) plan->feet[foot].push_back(nominal.contact);
   }
 }
 

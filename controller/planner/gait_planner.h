@@ -52,6 +52,11 @@ class GaitPlanner {
   /// that it writes to `schedule`, none after.
   void LayOut(const GaitSupport& support, ContactSchedule* schedule) const;
 
+  /// What plan() would be after Adopt(support), of which `schedule` has been laid out. Takes memory
+  /// the first time that it writes to `plan`, none after.
+  static void TakePlan(const GaitSupport& support, const ContactSchedule& schedule,
+                       ContactPlan* plan);
+
   const ContactPlan& plan() const { return plan_; }
 
   /// Whether a foot has landed at the last Update() before its time: plans made before do not know
@@ -93,6 +98,7 @@ class GaitPlanner {
   bool has_landed_early_{false};
   GaitSupport support_;
   std::array<bool, 2> is_felt_{};               // each foot's contact, at tick_
+  std::vector<Eigen::Vector3d> p_WF_;           // where the feet are, at tick_
   std::vector<std::vector<Decision>> decided_;  // of each foot's contacts to come
   ContactSchedule schedule_;
   ContactPlan plan_;

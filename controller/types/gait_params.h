@@ -77,6 +77,31 @@ struct EnumNames<FollowMode> {
       {{FollowMode::kPath, "path"}, {FollowMode::kCapturePoint, "capture_point"}}};
 };
 
+/// When a walk that is pushed steps, and with which foot, if that is not for the clock alone.
+/// Where the capture point is farther than error_m from where the gait would have it, other courses
+/// of the next steps (planner/timing_candidates.h) are weighed by the MPC's cost against going on.
+struct TimingParams {
+  double error_m{0.0};  ///< 0: the clock decides. Above what a walk shows unpushed.
+  double gain{0.3};     ///< Against steps to and fro about nothing.
+  double least_swing_s{0.25};
+  double least_rest_s{0.1};
+  double least_support_s{0.05};
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor&& visit) {
+    visit("error_m", self.error_m, Range{0.0, 10.0},
+          "a capture point farther than this from its nominal place makes a walk choose when its "
+          "feet land and lift off, and which (0: never)");
+    visit("gain", self.gain, Range{0.0, 1.0},
+          "share of the MPC's cost that another course must save to be taken");
+    visit("least_swing_s", self.least_swing_s, Range{0.05, 5.0},
+          "shortest time in the air of a step that is still to begin");
+    visit("least_rest_s", self.least_rest_s, Range{0.02, 5.0},
+          "shortest time until a foot in the air lands");
+    visit("least_support_s", self.least_support_s, Range{0.0, 5.0}, "shortest time on both feet");
+  }
+};
+
 /// How the nominal path follows a robot that was pushed off it.
 /// The MPC may only move a foothold within its box about the nominal one. With FollowMode::kPath
 /// the boxes stay on the path, so that forces alone lead a robot back that left it by more than a
@@ -92,6 +117,8 @@ struct PlannerParams {
   double late_wait_s{0.1};       ///< 0: the clock goes on without the foot.
   double search_depth_m{0.06};   ///< Below where it should be; time and reach may end it before.
   double search_acceleration_mps2{0.0};  ///< From landing_speed_mps on; 0: never faster.
+  double swing_speed_mps{0.0};           ///< A mean over the swing; 0: not known, any.
+  TimingParams timing;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -115,6 +142,10 @@ struct PlannerParams {
           "how far below its foothold a foot that is due and not felt looks for the ground");
     visit("search_acceleration_mps2", self.search_acceleration_mps2, Range{0.0, 100.0},
           "how much faster it goes down the longer it looks, from landing_speed_mps on");
+    visit("swing_speed_mps", self.swing_speed_mps, Range{0.0, 20.0},
+          "a foot in the air is sent no farther than this speed takes it until it lands (0: as far "
+          "as the box goes)");
+    visit("timing", self.timing, "when a pushed walk lets its feet land and lift off");
   }
 };
 

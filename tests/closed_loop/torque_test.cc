@@ -59,6 +59,40 @@ TEST(TorqueTest, IcubCatchesItselfByAStep) {
   EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
 }
 
+/// 262 N for 0.1 s are 0.5 N s/kg. Steps go as far as the legs; `error_m` makes their time give
+/// way.
+std::vector<std::string> ShovedHard(const std::string& push, const std::string& error_m) {
+  return ShovedInPlace({"duration_s=9", "pushes=[{body: chest, duration_s: 0.1, " + push + "}]",
+                        "control.mpc.box_lower_m=[-0.4, -0.02, 0]",
+                        "control.mpc.box_upper_m=[0.4, 0.3, 0]",
+                        "control.mpc.weights.leg_length=1e6",
+                        "control.planner={follow: capture_point, com_sway: 0.51, "
+                        "swing_speed_mps: 1.5, late_wait_s: 0, timing: {error_m: " +
+                            error_m + "}}"});
+}
+
+TEST(TorqueTest, IcubCatchesItselfWhenItsStepsMayComeSooner) {
+  // The left foot lands, and the right one.
+  for (const char* push : {"force_N: [0, 262, 0], start_s: 4.45",
+                           "force_N: [0, -262, 0], "
+                           "start_s: 4.95"}) {
+    const ClosedLoopRun in_time("icub_walk_fast", ShovedHard(push, "0.04"));
+    EXPECT_EQ(in_time.verdict.verdict_class, VerdictClass::kPass) << push << in_time.Describe();
+    const ClosedLoopRun by_the_clock("icub_walk_fast", ShovedHard(push, "0"));
+    EXPECT_TRUE(by_the_clock.FailedBy(reason::kFall)) << push << by_the_clock.Describe();
+  }
+}
+
+TEST(TorqueTest, IcubThatNothingPushesStepsByTheClockToTheLastBit) {
+  const std::string nothing = "force_N: [0, 0, 0], start_s: 1";
+  const ClosedLoopRun in_time("icub_walk_fast", ShovedHard(nothing, "0.04"));
+  const ClosedLoopRun by_the_clock("icub_walk_fast", ShovedHard(nothing, "0"));
+  for (const char* metric : {"max_tilt_rad", "max_torque_ratio", "cost_of_transport"}) {
+    EXPECT_EQ(in_time.verdict.metrics.at(metric), by_the_clock.verdict.metrics.at(metric))
+        << metric;
+  }
+}
+
 TEST(TorqueTest, IcubFallsUnderTheSameShoveWhenItMayNotMoveItsSteps) {
   const ClosedLoopRun run("icub_walk_fast", ShovedInPlace({"control.mpc.box_lower_m=[0, 0, 0]",
                                                            "control.mpc.box_upper_m=[0, 0, 0]"}));

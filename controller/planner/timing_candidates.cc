@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/planner/timing_candidates.h"
+
+#include <algorithm>
+
+#include "controller/planner/gait_writer.h"
+#include "controller/planner/schedule_edits.h"
+
+namespace sidestep {
+namespace {
+
+// The walk's step that is under way.
+struct StepAhead {
+  GaitParams gait;
+  int foot{0};
+  Tick lift_off{0};
+  Tick landing{0};
+};
+
+std::optional<StepAhead> StepAheadOf(const GaitSetup& setup, const GaitSupport& support) {
+  GaitWriter writer(setup, support, nullptr);
+  StepAhead step;
+  step.gait = writer.NextGait();
+  if (step.gait.type != GaitType::kWalk || !writer.Step()) return std::nullopt;
+  const GaitSupport& after = writer.support();
+  step.landing = after.tick;
+  step.foot = after.feet[0].nominal.sequence == after.sequence ? 0 : 1;
+  const auto at = static_cast<std::size_t>(step.foot);
+  step.lift_off = writer.lift_off(step.foot).value_or(support.feet[at].nominal.contact.end_tick);
+  return step;
+}
+
+// As the gait, but off the ground at once and in the air for `swing` ticks.
+GaitParams Quick(const GaitSetup& setup, GaitParams gait, const TimingLimits& limits, Tick swing) {
+  gait.swing_s = SecondsAt(swing, setup.tick_s);
+  gait.double_support_s = SecondsAt(limits.least_support, setup.tick_s);
+  return gait;
+}
+
+// On both feet: either foot may lift off at once, for as long as the gait has it or less.
+void ListLiftOffs(const GaitSetup& setup, const GaitSupport& support, Tick now,
+                  const StepAhead& step, const TimingLimits& limits,
+                  std::vector<GaitSupport>* candidates) {
+  const Tick swing = TickAt(step.gait.swing_s, setup.tick_s);
+  const Tick quickest = std::min(swing, limits.least_swing);
+  for (const int foot : {step.foot, 1 - step.foot}) {
+    for (const Tick time : {swing, quickest}) {
+      const GaitParams gait = Quick(setup, step.gait, limits, time);
+      auto lifted =
+          StepOnTheSpot(setup, support, now, {1, gait.swing_s, gait.double_support_s, foot});
+      if (!lifted) continue;
+      lifted->orders.next[0].gait = gait;
+      candidates->push_back(*lifted);
+      if (swing == quickest) break;
+    }
+  }
+}
+
+// One foot in the air: it may land sooner, and be followed quickly by the other one, or itself.
+void ListLandings(const GaitSetup& setup, const GaitSupport& support, Tick now,
+                  const StepAhead& step, const TimingLimits& limits,
+                  std::vector<GaitSupport>* candidates) {
+  const Tick quickest = std::min(TickAt(step.gait.swing_s, setup.tick_s), limits.least_swing);
+  const GaitParams quick = Quick(setup, step.gait, limits, quickest);
+  for (Tick by = 0; step.landing - by >= now + limits.least_rest; by += limits.step) {
+    GaitSupport landed = support;
+    if (by > 0) {
+      const TouchDownMove sooner{support.sequence + 1, -by};
+      const auto moved = MoveTouchDown(setup, support, now, sooner, limits.least_rest);
+      if (!moved) return;
+      landed = *moved;
+      candidates->push_back(landed);
+    }
+    landed.orders.next[0] = {step.gait, 1, -1};
+    for (const int foot : {1 - step.foot, step.foot}) {
+      landed.orders.next[1] = {quick, 1, foot};
+      candidates->push_back(landed);
+    }
+  }
+}
+
+}  // namespace
+
+void ListTimingCandidates(const GaitSetup& setup, const GaitSupport& support, Tick now,
+                          const TimingLimits& limits, std::vector<GaitSupport>* candidates) {
+  candidates->clear();
+  if (setup.geometry.num_feet != 2) return;
+  const auto step = StepAheadOf(setup, support);
+  if (!step || step->landing <= now) return;
+  if (step->lift_off > now) {
+    ListLiftOffs(setup, support, now, *step, limits, candidates);
+  } else {
+    ListLandings(setup, support, now, *step, limits, candidates);
+  }
+}
+
+}  // namespace sidestep

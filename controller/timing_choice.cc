@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller/timing_choice.h"
+
+#include <algorithm>
+
+#include "controller/planner/capture_point.h"
+
+namespace sidestep {
+namespace {
+
+constexpr std::size_t kManyCandidates = 64;  // more than feet that land within 5 s have
+
+TimingLimits LimitsOf(const TimingParams& params, const MpcParams& mpc, double tick_s) {
+  return {TickAt(mpc.step_s, tick_s), TickAt(params.least_swing_s, tick_s),
+          TickAt(params.least_rest_s, tick_s), TickAt(params.least_support_s, tick_s)};
+}
+
+}  // namespace
+
+TimingChoice::TimingChoice(const TimingParams& params, const MpcParams& mpc, double com_height_m,
+                           double tick_s)
+    : params_(params),
+      mpc_params_(mpc),
+      limits_(LimitsOf(params, mpc, tick_s)),
+      com_height_m_(com_height_m),
+      tick_s_(tick_s) {}
+
+std::optional<GaitSupport> TimingChoice::Choose(const RobotState& state, const GaitPlanner& planner,
+                                                const Eigen::Vector3d& momentum, Tick tick,
+                                                mpc::CentroidalMpc* mpc) {
+  if (params_.error_m == 0.0) return std::nullopt;
+  candidates_.reserve(kManyCandidates);
+  planner.LayOut(planner.support(), &schedule_);  // takes its memory before the first push
+  GaitPlanner::TakePlan(planner.support(), schedule_, &plan_);
+  if (!mpc->has_plan() || ErrorOf(state, planner, tick) < params_.error_m) return std::nullopt;
+  ListTimingCandidates(planner.setup(), planner.support(), tick, limits_, &candidates_);
+  if (candidates_.empty()) return std::nullopt;
+  double least = (1.0 - params_.gain) * CostOf(state, schedule_, plan_, momentum, tick, mpc);
+  std::optional<GaitSupport> chosen;
+  for (const GaitSupport& candidate : candidates_) {
+    planner.LayOut(candidate, &schedule_);
+    GaitPlanner::TakePlan(candidate, schedule_, &plan_);
+    const double cost = CostOf(state, schedule_, plan_, momentum, tick, mpc);
+    if (cost >= least) continue;
+    least = cost;
+    chosen = candidate;
+  }
+  return chosen;
+}
+
+double TimingChoice::ErrorOf(const RobotState& state, const GaitPlanner& planner, Tick tick) const {
+  const Eigen::Vector3d error = CapturePointError(state, planner.ReferenceAt(tick), com_height_m_);
+  return std::max(error.norm(), (error + planner.support().shift).norm());
+}
+
+double TimingChoice::CostOf(const RobotState& state, const ContactSchedule& schedule,
+                            const ContactPlan& plan, const Eigen::Vector3d& momentum, Tick tick,
+                            mpc::CentroidalMpc* mpc) {
+  SampleReferences(schedule, mpc->GridAt(plan, tick), momentum, mpc_params_, tick_s_, &references_);
+  return mpc->CostOf(state, plan, references_, tick);
+}
+
+}  // namespace sidestep
