@@ -15,6 +15,7 @@ ProblemBuilder::ProblemBuilder(const MpcParams& params, const RobotModel& robot,
   ocp_.knots = knots;
   ocp_.mass_kg = robot.mass_kg;
   ocp_.gravity_mps2 = robot.gravity_mps2;
+  ocp_.foot_load_limit_N = params.foot_load_ratio * robot.mass_kg * robot.gravity_mps2.norm();
   ocp_.weights = params.weights;
   ocp_.friction_A = FrictionPyramid(params.friction);
   ocp_.friction_b = Eigen::VectorXd::Zero(ocp_.friction_A.rows());

@@ -24,6 +24,7 @@ struct MpcWeights {
   /// makes the optimum unique.
   Eigen::Vector3d new_contact_force{0.01, 0.01, 0.01};
   double leg_length{0.0};  ///< Per m^2 and knot of a leg too short. 0, as in the paper: none.
+  double foot_load{0.0};   ///< Per (m/s^2)^2 and knot above the limit. 0, as in the paper: none.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -41,6 +42,7 @@ struct MpcWeights {
           "forces of a foot that touches down at the last knot, per axis");
     visit("leg_length", self.leg_length, weight,
           "what a standing foot's leg lacks in length, from ankle to hip");
+    visit("foot_load", self.foot_load, weight, "what a foot bears above foot_load_ratio");
   }
 };
 
@@ -79,6 +81,7 @@ struct MpcParams {
   Eigen::Vector3d box_lower_m{-0.1, -0.1, 0.0};  ///< z = 0 keeps footholds on the floor.
   Eigen::Vector3d box_upper_m{0.1, 0.1, 0.0};    ///< Never below box_lower_m.
   double leg_stretch{0.97};                      ///< Counts only with weights.leg_length.
+  double foot_load_ratio{1.3};                   ///< Counts only with weights.foot_load.
   double external_wrench_hold_s{0.1};
   double external_wrench_decay_s{0.0};  ///< A time constant: 1/e is left so long after the hold.
   double attitude_rate_radps{0.0};      ///< 0, as in the paper: no levelling.
@@ -102,6 +105,8 @@ struct MpcParams {
           "largest step adjustment, in the axes of the contact; y is mirrored for a right foot");
     visit("leg_stretch", self.leg_stretch, Range{0.1, 1.0},
           "share of a stretched leg's length that weights.leg_length takes for the longest");
+    visit("foot_load_ratio", self.foot_load_ratio, Range{0.0, 100.0},
+          "share of the robot's weight that weights.foot_load lets a foot bear");
     visit("external_wrench_hold_s", self.external_wrench_hold_s, Range{0.0, 10.0},
           "a measured or known external wrench is assumed to last this long");
     visit("external_wrench_decay_s", self.external_wrench_decay_s, Range{0.0, 10.0},

@@ -75,7 +75,7 @@ void CentroidalNlp::ConstraintBounds(Vector lower, Vector upper) const {
 
 double CentroidalNlp::Cost(ConstVector x) const {
   const MpcWeights& weights = ocp_->weights;
-  double cost = ForceCost(x) + LegCost(x);
+  double cost = ForceCost(x) + LegCost(x) + LoadCost(x);
   for (int k = 0; k <= ocp_->knots; ++k) {
     cost +=
         WeightedSquare(weights.com, StateOrInitial(x, k, kPosition) - ocp_->reference_p_WC.col(k));

@@ -4,8 +4,9 @@
 //
 //   min J(x)   subject to   lower <= g(x) <= upper,   x_lower <= x <= x_upper
 //
-// Variables and rows: see nlp_layout.h (mass-normalised). J is quadratic and g at most bilinear,
-// so the Hessian of the Lagrangian does not depend on x. Independent of any solver.
+// Variables and rows: see nlp_layout.h (mass-normalised). J is quadratic but for legs and loads, g
+// at most bilinear: without those the Hessian of the Lagrangian does not depend on x, and its
+// structure never does. Independent of any solver.
 // Source: Romualdi et al., ICRA 2022, section III; derivatives by hand, checked by differences.
 
 #include <Eigen/Core>
@@ -77,7 +78,8 @@ class CentroidalNlp {
   void VisitHessian(const ConstVector* x, double cost_factor, const ConstVector* multipliers,
                     Emit&& emit) const;
   template <typename Emit>
-  void VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const;
+  void VisitForceHessian(const ConstVector* x, int slot_index, double cost_factor,
+                         Emit&& emit) const;
 
   /// A free foothold's or a force's phase, in the problem.
   const ContactPhase& PhaseOf(int contact, int phase) const;
@@ -97,6 +99,12 @@ class CentroidalNlp {
   /// Of the cost, in W: in the CoM at knot k, and in a foot's free place.
   Eigen::Matrix3d PositionHessian(const ConstVector* x, int k) const;
   Eigen::Matrix3d PlaceHessian(const ConstVector* x, int location) const;
+  /// What the slot's foot bears at its knot above its limit, mass-normalised; 0 if within.
+  double ExcessLoad(ConstVector x, const ForceSlot& slot) const;
+  double LoadCost(ConstVector x) const;
+  void AddLoadGradient(ConstVector x, Vector gradient) const;
+  /// In each pair of the foot's vertical forces at the slot's knot. Zero without x.
+  double LoadCurvature(const ConstVector* x, const ForceSlot& slot) const;
   double ForceCost(ConstVector x) const;
   void ForceGradient(ConstVector x, Vector gradient) const;
   /// Over the vertices of the slot's contact at its knot, mass-normalised.

@@ -24,6 +24,7 @@ void CentroidalNlp::Gradient(ConstVector x, Vector gradient) const {
   }
   ForceGradient(x, gradient);
   AddLegGradient(x, gradient);
+  AddLoadGradient(x, gradient);
 }
 
 // Of half the sum of squared asymmetries e_i of a contact, in u_j: e_j - sum_i s_i e_i. As the
@@ -135,7 +136,7 @@ void CentroidalNlp::VisitHessian(const ConstVector* x, double cost_factor,
     EmitLower(location.column, cost_factor * R_WF.transpose() * PlaceHessian(x, i) * R_WF, emit);
   }
   for (int s = 0; s < static_cast<int>(layout_.slots().size()); ++s) {
-    VisitForceHessian(s, cost_factor, emit);
+    VisitForceHessian(x, s, cost_factor, emit);
     // lambda . ((R d - p) x u) = u . [lambda]x (R d - p) has d2/du dp = -[lambda]x and
     // d2/dd du = -R' [lambda]x; the row carries it times -T_k.
     const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(s)];
@@ -163,7 +164,8 @@ void CentroidalNlp::VisitHessian(const ConstVector* x, double cost_factor,
 }
 
 template <typename Emit>
-void CentroidalNlp::VisitForceHessian(int slot_index, double cost_factor, Emit&& emit) const {
+void CentroidalNlp::VisitForceHessian(const ConstVector* x, int slot_index, double cost_factor,
+                                      Emit&& emit) const {
   const ForceSlot& slot = layout_.slots()[static_cast<std::size_t>(slot_index)];
   const MpcWeights& weights = ocp_->weights;
   const OcpContact& contact = ContactOf(slot);
@@ -176,15 +178,18 @@ void CentroidalNlp::VisitForceHessian(int slot_index, double cost_factor, Emit&&
   const double inverse_square = 1.0 / (ocp_->step_s * ocp_->step_s);
   const int num_rates = (slot.next_slot >= 0 ? 1 : 0) + (slot.previous_slot >= 0 ? 1 : 0) +
                         (slot.has_previous_force ? 1 : 0);
+  const double load = cost_factor * LoadCurvature(x, slot);
   for (int a = 0; a < 3; ++a) {
     const double rate = weights.force_rate(a) * inverse_square;
     const double symmetry = weights.force_symmetry(a);
+    const double above = a == 2 ? load : 0.0;  // Dense within a foot, as the symmetry is.
     emit(slot.column + a, slot.column + a,
          cost_factor * (symmetry * (1.0 - coupling(slot.vertex, slot.vertex)) + num_rates * rate +
-                        (slot.is_new ? weights.new_contact_force(a) : 0.0)));
+                        (slot.is_new ? weights.new_contact_force(a) : 0.0)) +
+             above);
     for (int j = 0; j < slot.vertex; ++j) {  // The vertices of a contact are neighbours.
       emit(slot.column + a, slot.column + a - 3 * (slot.vertex - j),
-           -cost_factor * symmetry * coupling(j, slot.vertex));
+           -cost_factor * symmetry * coupling(j, slot.vertex) + above);
     }
     if (slot.previous_slot >= 0) {
       const int before = layout_.slots()[static_cast<std::size_t>(slot.previous_slot)].column;

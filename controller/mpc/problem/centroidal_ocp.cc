@@ -37,9 +37,9 @@ bool IsFinite(const ContactPhase& phase) {
 
 bool IsFinite(const MpcWeights& weights) {
   return weights.com.allFinite() && std::isfinite(weights.leg_length) &&
-         weights.angular_momentum.allFinite() && weights.contact_position.allFinite() &&
-         weights.force_symmetry.allFinite() && weights.force_rate.allFinite() &&
-         weights.new_contact_force.allFinite();
+         std::isfinite(weights.foot_load) && weights.angular_momentum.allFinite() &&
+         weights.contact_position.allFinite() && weights.force_symmetry.allFinite() &&
+         weights.force_rate.allFinite() && weights.new_contact_force.allFinite();
 }
 
 }  // namespace
@@ -72,6 +72,7 @@ void CheckShapes(const CentroidalOcp& ocp) {
   SIDESTEP_REQUIRE(!(first_step_s <= 0.0), first_step_s);
   SIDESTEP_REQUIRE(!(first_step_s > ocp.step_s && std::isfinite(first_step_s)), first_step_s);
   SIDESTEP_REQUIRE(!(ocp.mass_kg <= 0.0), ocp.mass_kg);
+  SIDESTEP_REQUIRE(!(ocp.foot_load_limit_N < 0.0), ocp.foot_load_limit_N);
   const Eigen::Index num_inputs = ocp.knots;
   SIDESTEP_REQUIRE(ocp.reference_p_WC.cols() == num_inputs + 1, ocp.reference_p_WC.cols());
   SIDESTEP_REQUIRE(ocp.reference_angular_momentum.cols() == num_inputs + 1,
@@ -91,7 +92,8 @@ bool IsFinite(const CentroidalOcp& ocp) {
                 ocp.initial_angular_momentum.allFinite() && ocp.reference_p_WC.allFinite() &&
                 ocp.reference_angular_momentum.allFinite() && ocp.external_force_N.allFinite() &&
                 ocp.external_torque_Nm.allFinite() && IsFinite(ocp.weights) &&
-                ocp.friction_A.allFinite() && ocp.friction_b.allFinite();
+                std::isfinite(ocp.foot_load_limit_N) && ocp.friction_A.allFinite() &&
+                ocp.friction_b.allFinite();
   for (const OcpContact& contact : ocp.contacts) {
     finite = finite && contact.leg.offset_m.allFinite() && std::isfinite(contact.leg.length_m) &&
              contact.vertices_m.allFinite() && contact.force_shares.allFinite() &&

@@ -16,9 +16,10 @@
 //
 // Cost, half the weighted squares of: p - reference, hw - reference (k = 0..N); P - nominal, once a
 // knot of the phase; what a standing foot's leg lacks in length, max(0, (|r|^2 - L^2) / 2L) with r
-// from ankle to hip (LegReach; close to |r| - L near L, but a square root less; 0 < k < N); f_ij -
-// s_ij sum_l f_il (symmetry) and the forces' rates; see MpcWeights. A rate is a change from one
-// input to the next over T, however short the first knot is.
+// from ankle to hip (LegReach; close to |r| - L near L, but a square root less; 0 < k < N); what a
+// foot bears above its limit, max(0, sum_j f_ijz - limit), z of W; f_ij - s_ij sum_l f_il
+// (symmetry) and the forces' rates; see MpcWeights. A rate is a change from one input to the next
+// over T, however short the first knot is.
 //
 // Source: Romualdi et al., ICRA 2022, section III. Every vector is in world W unless named.
 
@@ -80,6 +81,7 @@ struct CentroidalOcp {
   Eigen::Matrix3Xd reference_angular_momentum;                        ///< 3 x (N+1).
   Eigen::Matrix3Xd external_force_N;                                  ///< 3 x N.
   Eigen::Matrix3Xd external_torque_Nm;                                ///< 3 x N, about C.
+  double foot_load_limit_N{0.0};  ///< At least 0. Counts only with weights.foot_load.
   MpcWeights weights;
   Eigen::MatrixX3d friction_A;  ///< rows x 3: A R^T f <= b at every vertex.
   Eigen::VectorXd friction_b;   ///< N.
@@ -102,8 +104,8 @@ double MeanSquareShare(const OcpContact& contact);
 int ActivePhase(const OcpContact& contact, int k);
 
 /// Throws ContractViolation if shapes, knots or phases are inconsistent (a program's bug; files
-/// are checked by the reader), or if force shares do not sum to 1. An empty box (lower > upper)
-/// passes: it is an infeasible problem.
+/// are checked by the reader), if force shares do not sum to 1, or if a foot's load has a negative
+/// limit. An empty box (lower > upper) passes: it is an infeasible problem.
 void CheckShapes(const CentroidalOcp& ocp);
 
 /// True if every number of the problem that its optimum may depend on is finite.

@@ -114,13 +114,14 @@ OcpContact ContactFromJson(const JsonNode& node) {
 
 MpcWeights WeightsFromJson(const JsonNode& node) {
   node.RequireKeys({"com", "angular_momentum", "contact_position", "force_symmetry", "force_rate"},
-                   {"leg_length", "new_contact_force"});
+                   {"foot_load", "leg_length", "new_contact_force"});
   MpcWeights weights;
   weights.com = node["com"].Weights3();
   weights.angular_momentum = node["angular_momentum"].Weights3();
   weights.contact_position = node["contact_position"].Weights3();
   weights.force_symmetry = node["force_symmetry"].Weights3();
   weights.force_rate = node["force_rate"].Weights3();
+  if (node.Has("foot_load")) weights.foot_load = node["foot_load"].NonNegativeNumber();
   if (node.Has("leg_length")) weights.leg_length = node["leg_length"].NonNegativeNumber();
   if (node.Has("new_contact_force")) {
     weights.new_contact_force = node["new_contact_force"].Weights3();
@@ -132,6 +133,14 @@ double FirstStepFromJson(const JsonNode& node, double step_s) {
   const double first_step_s = node.PositiveNumber();
   if (first_step_s > step_s) node.Fail("a step no longer than step_s");
   return first_step_s;
+}
+
+// A weight without a limit would silently mean a limit of zero.
+double FootLoadLimitFromJson(const JsonNode& root, double weight) {
+  constexpr const char* kKey = "foot_load_limit_N";
+  if (root.Has(kKey)) return root[kKey].NonNegativeNumber();
+  if (weight > 0.0) root["weights"]["foot_load"].Fail(std::string("0 without ") + kKey);
+  return 0.0;
 }
 
 void ReadFriction(const JsonNode& root, CentroidalOcp* ocp) {
@@ -174,6 +183,10 @@ json ToJson(const CentroidalOcp& ocp) {
                  {"friction_A", RowsOf(ocp.friction_A.transpose())},
                  {"friction_b", RowOf(ocp.friction_b)},
                  {"contacts", contacts}};
+  if (weights.foot_load > 0.0) {
+    result["weights"]["foot_load"] = weights.foot_load;
+    result["foot_load_limit_N"] = ocp.foot_load_limit_N;
+  }
   if (weights.leg_length > 0.0) result["weights"]["leg_length"] = weights.leg_length;
   if (ocp.first_step_s) result["first_step_s"] = *ocp.first_step_s;
   return result;
@@ -184,7 +197,7 @@ CentroidalOcp OcpFromJson(const json& document) {
   root.RequireKeys(
       {"name", "step_s", "knots", "mass_kg", "gravity_m_s2", "initial", "reference", "weights",
        "external_force_N", "external_torque_Nm", "friction_A", "friction_b", "contacts"},
-      {"description", "first_step_s", "solution"});
+      {"description", "first_step_s", "foot_load_limit_N", "solution"});
   CentroidalOcp ocp;
   ocp.name = root["name"].String();
   if (root.Has("description")) {
@@ -208,6 +221,7 @@ CentroidalOcp OcpFromJson(const json& document) {
   ocp.reference_p_WC = reference["com_m"].Columns3(num_inputs + 1);
   ocp.reference_angular_momentum = reference["angular_momentum"].Columns3(num_inputs + 1);
   ocp.weights = WeightsFromJson(root["weights"]);
+  ocp.foot_load_limit_N = FootLoadLimitFromJson(root, ocp.weights.foot_load);
   ocp.external_force_N = root["external_force_N"].Columns3(num_inputs);
   ocp.external_torque_Nm = root["external_torque_Nm"].Columns3(num_inputs);
   ReadFriction(root, &ocp);

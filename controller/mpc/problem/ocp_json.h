@@ -6,8 +6,9 @@
 // Layout (units in the keys, one row of three numbers a knot or vertex): a problem has name,
 // description, step_s, knots, mass_kg, gravity_m_s2, initial, reference, weights,
 // external_force_N, external_torque_Nm, friction_A, friction_b, contacts, and may carry
-// first_step_s, how long the first input lasts (step_s without it), and its solution under
-// `solution`. tests/data/reference holds examples.
+// first_step_s, how long the first input lasts (step_s without it), foot_load_limit_N, without
+// which weights.foot_load is zero, and its solution under `solution`. tests/data/reference holds
+// examples.
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +24,9 @@ nlohmann::json ToJson(const CentroidalOcp& ocp);
 /// Reads a problem; a `solution` block is ignored. Throws ConfigError, one line with the JSON path
 /// and what was expected, on a missing or unknown key, a wrong type or length, a number that is
 /// not finite or out of range, shares that do not sum to 1, or phases out of order. Optional:
-/// first_step_s, weights.new_contact_force, contacts[].previous_force_N and
-/// contacts[].force_shares.
+/// first_step_s, foot_load_limit_N (but with weights.foot_load above zero), weights.foot_load,
+/// weights.leg_length, weights.new_contact_force, contacts[].previous_force_N,
+/// contacts[].force_shares and contacts[].leg.
 CentroidalOcp OcpFromJson(const nlohmann::json& json);
 
 /// The solution block. A status without trajectories (infeasible, numerical error, not solved)

@@ -3,6 +3,7 @@
 // block, what is carried over unchanged, and the coupling Y of both:
 //
 //   M = carried + G^T V_xx G + G^T Y^T + Y G + own curvature.
+#include "controller/mpc/structured/foot_load.h"
 #include "controller/mpc/structured/leg_reach.h"
 #include "controller/mpc/structured/share_corrections.h"
 #include "controller/mpc/structured/stage_matrix.h"
@@ -239,6 +240,21 @@ void AddLegs(const ProblemView& problem, const Linearization& linear, const Stag
   }
 }
 
+// Curvature of what feet bear above their limit, in their vertical forces.
+void AddLoads(const ProblemView& problem, const Linearization& linear, const StageMatrix& matrix) {
+  const Stage& stage = matrix.stage;
+  if (problem.weight_load == 0.0) return;
+  for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
+    const ContactBlock& block = problem.blocks[b];
+    const double curvature = LoadCurvature(problem, linear, b);
+    if (curvature == 0.0) continue;
+    const int z = 2 * stage.num_slots;
+    for (int j = z + block.first; j < z + block.first + block.count; ++j) {
+      for (int i = j; i < z + block.first + block.count; ++i) matrix.Pivot(j)[i] += curvature;
+    }
+  }
+}
+
 void CoupleToPreviousForces(const ProblemView& problem, const StageMatrix& matrix) {
   const Stage& stage = matrix.stage;
   for (int b = stage.first_block; b < stage.first_block + stage.num_blocks; ++b) {
@@ -283,6 +299,7 @@ void AssembleStage(const ProblemView& problem, int k, const Evaluation& at,
     AddForces(problem, terms, matrix);
     if (terms.is_exact) AddDynamicsCurvature(problem, k, linear, matrix);
     AddLegs(problem, linear, matrix);
+    AddLoads(problem, linear, matrix);
     CoupleToPreviousForces(problem, matrix);
   }
   for (int i = 3 * (stage.num_slots + stage.num_new); i < stage.num_pivots; ++i) {

@@ -2,6 +2,7 @@
 #include "controller/mpc/structured/evaluate.h"
 
 #include "controller/mpc/structured/core_math.h"
+#include "controller/mpc/structured/foot_load.h"
 #include "controller/mpc/structured/leg_reach.h"
 #include "controller/mpc/structured/share_corrections.h"
 
@@ -181,7 +182,8 @@ double BarrierSum(const ProblemView& problem, const double* point) {
 }  // namespace
 
 void Evaluate(const ProblemView& problem, const double* point, Evaluation* out) {
-  out->cost = StateCost(problem, point) + LocationCost(problem, point) + LegCost(problem, point);
+  out->cost = StateCost(problem, point) + LocationCost(problem, point) + LegCost(problem, point) +
+              LoadCost(problem, point);
   out->infeasibility = 0.0;
   out->largest_residual = 0.0;
   for (int k = 0; k < problem.knots; ++k) {

@@ -2,6 +2,7 @@
 // Gradients, costates and the Lagrangian's stationarity.
 #include "controller/mpc/structured/core_math.h"
 #include "controller/mpc/structured/evaluate.h"
+#include "controller/mpc/structured/foot_load.h"
 #include "controller/mpc/structured/leg_reach.h"
 #include "controller/mpc/structured/share_corrections.h"
 
@@ -197,6 +198,7 @@ void Linearize(const ProblemView& problem, const double* point, Linearization* o
            out->gradient + problem.at.d + 3 * i);
   }
   LinearizeLegs(problem, point, out);
+  LinearizeLoads(problem, out);
   Costates(problem, out);
   out->dual = LocationDual(problem, point, *out);
   for (int k = 0; k < problem.knots; ++k) {

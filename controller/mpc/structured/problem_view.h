@@ -76,6 +76,8 @@ struct ProblemView {
   int num_pivots{0};  ///< Of all stages.
   int num_faces{0};   ///< Rows of the friction description.
   double weight_leg{0.0};
+  double weight_load{0.0};
+  double load_limit{0.0};  ///< m/s^2.
   double weight_com[3]{}, weight_momentum[3]{}, weight_symmetry[3]{}, weight_rate[3]{},
       weight_new[3]{};                    ///< weight_rate is divided by T^2.
   const double* step_s{nullptr};          ///< N: T_k.

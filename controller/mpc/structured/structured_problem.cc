@@ -252,6 +252,8 @@ void StructuredProblem::FillVectors(const CentroidalOcp& ocp) {
   for (int r = 0; r < view_.num_faces; ++r) bound_[r] = ocp.friction_b(r) / mass_kg;
   const double inverse_square = 1.0 / (ocp.step_s * ocp.step_s);
   view_.weight_leg = ocp.weights.leg_length;
+  view_.weight_load = ocp.weights.foot_load;
+  view_.load_limit = ocp.foot_load_limit_N / mass_kg;
   for (int a = 0; a < 3; ++a) {
     view_.weight_com[a] = ocp.weights.com(a);
     view_.weight_momentum[a] = ocp.weights.angular_momentum(a);

@@ -52,6 +52,7 @@ TEST(CentroidalOcpTest, EveryInconsistencyBreaksTheContract) {
       [](CentroidalOcp& ocp) { ocp.first_step_s = 0.0; },
       [](CentroidalOcp& ocp) { ocp.first_step_s = 1.001 * ocp.step_s; },
       [](CentroidalOcp& ocp) { ocp.mass_kg = -1.0; },
+      [](CentroidalOcp& ocp) { ocp.foot_load_limit_N = -1.0; },
       [](CentroidalOcp& ocp) { ocp.reference_p_WC.resize(3, 5); },
       [](CentroidalOcp& ocp) { ocp.reference_angular_momentum.resize(3, 7); },
       [](CentroidalOcp& ocp) { ocp.external_force_N.resize(3, 6); },

@@ -129,6 +129,8 @@ inline void Randomise(Numbers& numbers, CentroidalOcp* ocp) {
     *weight = 2.0 * Eigen::Vector3d::Ones() + numbers.Vector3();
   }
   weights.leg_length = 2.0 + numbers.Next();
+  weights.foot_load = 2.0 + numbers.Next();
+  ocp->foot_load_limit_N = 0.2 * ocp->mass_kg * (1.0 + numbers.Next());  // about half above it
   for (OcpContact& contact : ocp->contacts) {
     contact.leg = {numbers.Vector3(), 1.0 + 0.5 * numbers.Next()};  // often too short
     numbers.Fill(contact.vertices_m);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every entry of gradient, Jacobian and Hessian against central differences, for every pattern of
-// contacts. The functions are at most quadratic, so differences have no truncation error whatever
-// the step; with a step of 1 rounding is all that is left.
+// contacts. But for legs and loads the functions are at most quadratic, so differences have no
+// truncation error whatever the step; with a step of 1 rounding is all that is left.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -16,15 +16,17 @@ namespace {
 constexpr int kKnots = 5;
 // Values reach 1e3 here; eps * 1e3 * (some hundred terms) is below 1e-10.
 constexpr double kTolerance = 1e-9;
-// Steps that are exact where all is quadratic; legs are not: 1e-10 times third derivatives, and
-// rounding over 1e-5.
-constexpr double kStep = 1.0, kStepOfLegs = 1e-5, kToleranceOfLegs = 1e-6;
+// Steps that are exact where all is quadratic; legs are not, and loads have kinks, near none of
+// which a point is: 1e-10 times third derivatives, and rounding over 1e-5.
+constexpr double kStep = 1.0, kShortStep = 1e-5, kToleranceOfShortSteps = 1e-6;
 
 struct Pattern {
   std::string name;
   CentroidalOcp ocp;
 
-  bool has_legs() const { return ocp.weights.leg_length > 0.0; }
+  bool is_quadratic() const {
+    return ocp.weights.leg_length == 0.0 && ocp.weights.foot_load == 0.0;
+  }
 };
 
 OcpContact With(OcpContact foot, std::vector<ContactPhase> phases, bool has_previous_force) {
@@ -79,9 +81,13 @@ std::vector<Pattern> AllPatterns() {
     pattern.ocp.first_step_s = 0.03;  // Of 0.1 s: every knot has its own step.
     Randomise(numbers, &pattern.ocp);
     patterns.push_back(pattern);
-    patterns.back().ocp.weights.leg_length = 0.0;
-    pattern.name += "OnLegs";
+    patterns.back().ocp.weights.leg_length = patterns.back().ocp.weights.foot_load = 0.0;
     patterns.push_back(pattern);
+    patterns.back().name += "OnLegs";
+    patterns.back().ocp.weights.foot_load = 0.0;
+    patterns.push_back(pattern);
+    patterns.back().name += "UnderLoad";
+    patterns.back().ocp.weights.leg_length = 0.0;
   }
   return patterns;
 }
@@ -120,7 +126,7 @@ class NlpDerivativesTest : public testing::TestWithParam<Pattern> {
   template <typename Function>
   Eigen::MatrixXd CentralDifference(Function&& f, Eigen::Index num_rows) const {
     Eigen::MatrixXd result(num_rows, x_.size());
-    const double step = GetParam().has_legs() ? kStepOfLegs : kStep;
+    const double step = GetParam().is_quadratic() ? kStep : kShortStep;
     for (Eigen::Index c = 0; c < x_.size(); ++c) {
       const Eigen::VectorXd move = step * Eigen::VectorXd::Unit(x_.size(), c);
       result.col(c) = 0.5 / step * (f(x_ + move) - f(x_ - move));
@@ -131,7 +137,7 @@ class NlpDerivativesTest : public testing::TestWithParam<Pattern> {
   static void ExpectNear(const Eigen::MatrixXd& analytic, const Eigen::MatrixXd& numeric) {
     ASSERT_EQ(analytic.rows(), numeric.rows());
     ASSERT_EQ(analytic.cols(), numeric.cols());
-    const double tolerance = GetParam().has_legs() ? kToleranceOfLegs : kTolerance;
+    const double tolerance = GetParam().is_quadratic() ? kTolerance : kToleranceOfShortSteps;
     for (Eigen::Index c = 0; c < analytic.cols(); ++c) {
       for (Eigen::Index r = 0; r < analytic.rows(); ++r) {
         const double scale = std::max(1.0, std::abs(analytic(r, c)));
@@ -200,6 +206,14 @@ TEST_P(NlpDerivativesTest, NoEntryIsListedTwiceOrLiesOutside) {
   columns.resize(rows.size());
   nlp_.HessianStructure(rows.data(), columns.data());
   expect_unique(rows, columns, nlp_.num_variables(), nlp_.num_variables());
+}
+
+TEST_P(NlpDerivativesTest, LoadsAddNoEntryToTheHessian) {
+  CentroidalOcp ocp = GetParam().ocp;
+  ocp.weights.foot_load = 0.0;
+  CentroidalNlp without;
+  without.SetProblem(ocp);
+  EXPECT_EQ(nlp_.num_hessian_entries(), without.num_hessian_entries());
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, NlpDerivativesTest, testing::ValuesIn(AllPatterns()),

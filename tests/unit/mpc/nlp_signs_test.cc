@@ -180,6 +180,25 @@ TEST_F(NlpSignsTest, SymmetryCountsTheDistanceOfEveryVertexFromTheMean) {
   EXPECT_NEAR(CostOf(ocp, point), 45.0, kTolerance);
 }
 
+TEST_F(NlpSignsTest, AFootsLoadCountsAboveItsLimitOnceAKnot) {
+  // 10 and 4 N bear 14 N, 6 above the limit: 0.5 * 3 * (6 / 2)^2 = 13.5, and at the other knot
+  // nothing, nor for pulling or lateral forces, nor for the other foot within its limit.
+  CentroidalOcp ocp = Unweighted(2);
+  ocp.weights.foot_load = 3.0;
+  ocp.foot_load_limit_N = 8.0;
+  ocp.contacts = {Standing(Foot("foot", 2), 2, Eigen::Vector3d::Zero()),
+                  Standing(Foot("other", 1), 2, Eigen::Vector3d::Zero())};
+  ocp.contacts[0].phases[0].R_WF << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // z is the world's all the same
+  MpcSolution point = ZeroPoint(ocp);
+  point.contacts[0].force_N[0].row(2) << 10.0, 4.0;
+  point.contacts[0].force_N[0].row(0) << 100.0, 100.0;
+  point.contacts[0].force_N[1].row(2) << 10.0, -14.0;
+  point.contacts[1].force_N[0] = Eigen::Vector3d(0.0, 20.0, 8.0);
+  EXPECT_NEAR(CostOf(ocp, point), 13.5, kTolerance);
+  ocp.weights.foot_load = 0.0;
+  EXPECT_EQ(CostOf(ocp, point), 0.0);
+}
+
 TEST_F(NlpSignsTest, NewContactForceCountsOnlyForATouchDownAtTheLastInput) {
   // (6 / 2)^2 * 0.5 * 0.01 = 0.045.
   CentroidalOcp ocp = Unweighted(2);

@@ -73,6 +73,8 @@ TEST(OcpJsonTest, EveryNumberSurvivesTheRoundTripThroughTextBitForBit) {
   EXPECT_EQ(back.weights.contact_position, ocp.weights.contact_position);
   EXPECT_EQ(back.weights.force_symmetry, ocp.weights.force_symmetry);
   EXPECT_EQ(back.weights.leg_length, ocp.weights.leg_length);
+  EXPECT_EQ(back.weights.foot_load, ocp.weights.foot_load);
+  EXPECT_EQ(back.foot_load_limit_N, ocp.foot_load_limit_N);
   EXPECT_EQ(back.weights.force_rate, ocp.weights.force_rate);
   EXPECT_EQ(back.weights.new_contact_force, ocp.weights.new_contact_force);
   EXPECT_EQ(back.friction_A, ocp.friction_A);
@@ -118,6 +120,23 @@ TEST(OcpJsonTest, AProblemWithoutAFirstStepOfItsOwnDoesNotMentionIt) {
   const json document = ToJson(ocp);
   EXPECT_FALSE(document.contains("first_step_s"));
   EXPECT_FALSE(OcpFromJson(document).first_step_s.has_value());
+}
+
+TEST(OcpJsonTest, ALimitOfLoadsIsWrittenOnlyIfItCountsAndReadOnlyWithItsWeight) {
+  CentroidalOcp ocp = RandomProblem();
+  json document = ToJson(ocp);
+  document.erase("foot_load_limit_N");
+  document["weights"]["foot_load"] = 2;
+  EXPECT_EQ(ErrorOf(document), "$.weights.foot_load: expected 0 without foot_load_limit_N, got 2");
+  document["weights"]["foot_load"] = 0;
+  EXPECT_EQ(ErrorOf(document), "");
+  document["foot_load_limit_N"] = -1;
+  EXPECT_EQ(ErrorOf(document), "$.foot_load_limit_N: expected a number of at least 0, got -1");
+  ocp.weights.foot_load = 0.0;
+  document = ToJson(ocp);
+  EXPECT_FALSE(document.contains("foot_load_limit_N"));
+  EXPECT_FALSE(document["weights"].contains("foot_load"));
+  EXPECT_EQ(OcpFromJson(document).weights.foot_load, 0.0);
 }
 
 TEST(OcpJsonTest, AFirstStepIsAboveZeroAndNoLongerThanTheOthers) {

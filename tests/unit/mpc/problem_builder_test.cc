@@ -80,6 +80,18 @@ TEST(ProblemOfARobotTest, LegsAreStretchedByTheirShare) {
   EXPECT_DOUBLE_EQ(ocp.contacts[0].leg.length_m, 0.45);
 }
 
+TEST(ProblemOfARobotTest, AFootMayBearAShareOfTheWeight) {
+  MpcParams params = Params();
+  EXPECT_EQ(ProblemBuilder(params, PointFoot(), kTick_s).ocp().weights.foot_load, 0.0) << "off";
+  params.weights.foot_load = 3.0;
+  params.foot_load_ratio = 1.5;
+  RobotModel robot = PointFoot();  // 2 kg
+  robot.gravity_mps2 << 0.0, 6.0, -8.0;
+  const CentroidalOcp ocp = ProblemBuilder(params, robot, kTick_s).ocp();
+  EXPECT_EQ(ocp.weights.foot_load, 3.0);
+  EXPECT_DOUBLE_EQ(ocp.foot_load_limit_N, 30.0);
+}
+
 TEST_F(ProblemBuilderTest, ScheduleOnTheGridIsSampledExactly) {
   const auto& phases = Phases({Contact(0, 0, 100), Contact(1, 200, 400)}, 50);
   ASSERT_EQ(phases.size(), 2U);

@@ -116,6 +116,12 @@ inline void DrawLegs(Numbers& numbers, double size_m, CentroidalOcp* ocp) {
   }
 }
 
+/// Limits between what standing on every foot takes and what running does.
+inline void DrawLoads(Numbers& numbers, CentroidalOcp* ocp) {
+  ocp->weights.foot_load = std::pow(10.0, Uniform(numbers, -2.0, 3.0));
+  ocp->foot_load_limit_N = ocp->mass_kg * 9.81 * Uniform(numbers, 0.5, 2.0);
+}
+
 inline void DrawMotion(Numbers& numbers, double size_m, double speed_mps, CentroidalOcp* ocp) {
   const double height_m = 0.55 * size_m;
   const double mass_kg = ocp->mass_kg;
@@ -169,6 +175,7 @@ inline CentroidalOcp RandomOcp(unsigned seed) {
   if (draw::Chance(numbers, 0.5)) {
     ocp.first_step_s = draw::Uniform(numbers, 0.01, 1.0) * ocp.step_s;
   }
+  if (draw::Chance(numbers, 0.3)) draw::DrawLoads(numbers, &ocp);
   return ocp;
 }
 

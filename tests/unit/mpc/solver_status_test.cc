@@ -48,6 +48,8 @@ TEST_P(SolverStatusTest, EveryKindOfNonFiniteDataIsANumericalErrorAtOnce) {
       [](CentroidalOcp& ocp, double bad) { ocp.weights.com(0) = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.weights.new_contact_force(0) = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.weights.leg_length = bad; },
+      [](CentroidalOcp& ocp, double bad) { ocp.weights.foot_load = bad; },
+      [](CentroidalOcp& ocp, double bad) { ocp.foot_load_limit_N = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.contacts[0].leg.offset_m(1) = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.contacts[0].leg.length_m = bad; },
       [](CentroidalOcp& ocp, double bad) { ocp.friction_A(3, 2) = bad; },

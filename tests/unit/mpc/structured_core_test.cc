@@ -9,6 +9,7 @@
 
 #include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/structured/filter.h"
+#include "controller/mpc/structured/foot_load.h"
 #include "controller/mpc/structured/force_limits.h"
 #include "controller/mpc/structured/minimize.h"
 #include "controller/mpc/structured/structured_memory.h"
@@ -44,7 +45,8 @@ struct RandomPoint {
 using ConstMap = Eigen::Map<const Eigen::VectorXd>;
 
 /// The core's functions of the primal variables [x_1.. x_N, u, d], by finite differences that are
-/// exact where the cost is quadratic, which it is without legs: the gap is bilinear.
+/// exact where the cost is quadratic, which it is without legs, and without loads about their
+/// limits: the gap is bilinear.
 class Differences {
  public:
   /// `step` is the gradient's.
@@ -63,6 +65,24 @@ class Differences {
     point[j] = kept_j;
     point[i] = kept_i;
     return ConstMap(at_.work.next.gap, num_rows_);
+  }
+
+  double Cost(int i, double step) {
+    double* point = at_.work.point + 9;
+    const double kept = point[i];
+    point[i] += step;
+    baseline::Evaluate(view_, at_.work.point, &at_.work.next);
+    point[i] = kept;
+    return at_.work.next.cost;
+  }
+
+  /// First derivatives of the cost.
+  Eigen::VectorXd Slopes() {
+    Eigen::VectorXd slopes(num_primal());
+    for (int i = 0; i < num_primal(); ++i) {
+      slopes(i) = 0.5 / step_ * (Cost(i, step_) - Cost(i, -step_));
+    }
+    return slopes;
   }
 
   Eigen::VectorXd Gradient(int i, double step) {
@@ -170,7 +190,7 @@ CentroidalOcp SmallProblem() {
   ocp.weights.force_symmetry.setConstant(300.0);
   ocp.weights.contact_position.setConstant(300.0);
   ocp.weights.com.setConstant(100.0);
-  ocp.weights.leg_length = 0.0;
+  ocp.weights.leg_length = ocp.weights.foot_load = 0.0;
   return ocp;
 }
 
@@ -213,11 +233,10 @@ TEST(StructuredCoreTest, TheRecursionSolvesTheWholeNewtonSystem) {
   EXPECT_LT((ours - expected).cwiseAbs().maxCoeff(), 1e-8 * expected.cwiseAbs().maxCoeff());
 }
 
-TEST(StructuredCoreTest, TheRecursionHasTheCurvatureOfLegsThatAreTooShort) {
-  CentroidalOcp ocp = SmallProblem();
-  const CentroidalOcp without = ocp;
-  ocp.weights.leg_length = 50.0;
-  RandomPoint at(ocp), other(without);
+// Expects the recursion to solve the Newton system with the curvature of `ocp`, which the terms it
+// has beyond SmallProblem() are to change.
+void ExpectCurvature(const CentroidalOcp& ocp) {
+  RandomPoint at(ocp), other(SmallProblem());
   const ProblemView& view = at.laid_out.view();
   ASSERT_TRUE(baseline::Factorize(view, at.work.now, at.work.linear, at.work.newton));
   baseline::SolveForward(view, at.work.newton, false, at.work.direction);
@@ -226,7 +245,50 @@ TEST(StructuredCoreTest, TheRecursionHasTheCurvatureOfLegsThatAreTooShort) {
   const Eigen::VectorXd expected = DenseDirection(&at, 1e-4);
   EXPECT_LT((ours - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
   const Eigen::VectorXd straight = DenseDirection(&other);
-  EXPECT_GT((straight - expected).cwiseAbs().maxCoeff(), 0.01) << "legs that change nothing";
+  EXPECT_GT((straight - expected).cwiseAbs().maxCoeff(), 0.01) << "terms that change nothing";
+}
+
+TEST(StructuredCoreTest, TheRecursionHasTheCurvatureOfLegsThatAreTooShort) {
+  CentroidalOcp ocp = SmallProblem();
+  ocp.weights.leg_length = 50.0;
+  ExpectCurvature(ocp);
+}
+
+TEST(StructuredCoreTest, TheRecursionHasTheCurvatureOfFeetThatBearTooMuch) {
+  CentroidalOcp ocp = SmallProblem();
+  ocp.weights.foot_load = 50.0;
+  ExpectCurvature(ocp);
+}
+
+TEST(StructuredCoreTest, TheGradientIsThatOfTheCost) {
+  for (const bool has_legs : {false, true}) {
+    for (const bool has_loads : {false, true}) {
+      CentroidalOcp ocp = SmallProblem();
+      if (has_legs) ocp.weights.leg_length = 50.0;
+      if (has_loads) ocp.weights.foot_load = 50.0;
+      RandomPoint at(ocp);
+      const Eigen::VectorXd slopes = Differences(&at, 1e-5).Slopes();
+      const Eigen::VectorXd ours = ConstMap(at.work.linear.gradient + 9, slopes.size());
+      // Costs reach 1e4, and eps * 1e4 / 1e-5 is 2e-7.
+      EXPECT_LT((ours - slopes).cwiseAbs().maxCoeff(), 1e-6 * (1.0 + ours.cwiseAbs().maxCoeff()))
+          << has_legs << has_loads;
+    }
+  }
+}
+
+TEST(StructuredCoreTest, FeetAreOverloadedInSomeKnotsOnly) {
+  CentroidalOcp ocp = SmallProblem();
+  ocp.weights.foot_load = 50.0;
+  RandomPoint at(ocp);
+  const ProblemView& view = at.laid_out.view();
+  const Stage& last = view.stages[view.knots - 1];
+  const int num_blocks = last.first_block + last.num_blocks;
+  int num_above = 0;
+  for (int b = 0; b < num_blocks; ++b) {
+    num_above += baseline::LoadCurvature(view, at.work.linear, b) > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(num_above, 0);
+  EXPECT_LT(num_above, num_blocks);
 }
 
 TEST(StructuredCoreTest, ChangingTheSlopesEqualsSolvingAnew) {
