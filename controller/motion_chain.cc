@@ -24,7 +24,7 @@ FloorSearch SearchOf(const PlannerParams& params) {
 }
 
 GaitPlanner MakePlanner(const ControllerSetup& setup, const TouchDownRule& touch_downs) {
-  GaitGeometry geometry = MakeGaitGeometry(setup.robot, setup.control.planner.com_sway);
+  GaitGeometry geometry = MakeGaitGeometry(setup.robot, setup.control.planner.sway);
   geometry.box_lower_m = setup.control.mpc.box_lower_m;
   geometry.box_upper_m = setup.control.mpc.box_upper_m;
   const Tick horizon =
@@ -50,8 +50,10 @@ MotionChain::MotionChain(const ControllerSetup& setup, const mpc::RobotModel& ro
       mpc_period_(TickAt(1.0 / params_.rate_hz, tick_s_)),
       planner_(MakePlanner(setup, TouchDownsOf(setup, robot, rule))),
       mpc_(params_, robot, tick_s_),
-      timing_(setup.control.planner.timing, params_, setup.robot.com_height_m, tick_s_),
-      foot_targets_(setup.robot.feet.size(), rule, tick_s_, SearchOf(setup.control.planner)),
+      timing_(setup.control.planner.timing, params_, setup.robot.com_height_m, robot.mass_kg,
+              tick_s_),
+      foot_targets_(setup.robot.feet.size(), rule, tick_s_, SearchOf(setup.control.planner),
+                    setup.control.planner.swing),
       feet_(StandingFeet(setup.robot)) {}
 
 const ContactPlan& MotionChain::Schedule(const RobotState& state, Tick tick, StageTimer* timer) {

@@ -18,11 +18,12 @@ TimingLimits LimitsOf(const TimingParams& params, const MpcParams& mpc, double t
 }  // namespace
 
 TimingChoice::TimingChoice(const TimingParams& params, const MpcParams& mpc, double com_height_m,
-                           double tick_s)
+                           double mass_kg, double tick_s)
     : params_(params),
       mpc_params_(mpc),
       limits_(LimitsOf(params, mpc, tick_s)),
       com_height_m_(com_height_m),
+      alarm_(params.error_m, params.alert_s, com_height_m, mass_kg, tick_s),
       tick_s_(tick_s) {}
 
 std::optional<GaitSupport> TimingChoice::Choose(const RobotState& state, const GaitPlanner& planner,
@@ -32,7 +33,8 @@ std::optional<GaitSupport> TimingChoice::Choose(const RobotState& state, const G
   candidates_.reserve(kManyCandidates);
   planner.LayOut(planner.support(), &schedule_);  // takes its memory before the first push
   GaitPlanner::TakePlan(planner.support(), schedule_, &plan_);
-  if (!mpc->has_plan() || ErrorOf(state, planner, tick) < params_.error_m) return std::nullopt;
+  if (!mpc->has_plan() || !alarm_.Update(state, mpc->ComAt(tick), tick)) return std::nullopt;
+  if (ErrorOf(state, planner, tick) < params_.error_m) return std::nullopt;
   ListTimingCandidates(planner.setup(), planner.support(), tick, limits_, &candidates_);
   if (candidates_.empty()) return std::nullopt;
   double least = (1.0 - params_.gain) * CostOf(state, schedule_, plan_, momentum, tick, mpc);

@@ -5,10 +5,10 @@
 //   state, planner ──► candidates (planner/timing_candidates.h) ──► MPC's cost of each ──► support
 //
 // The mixed problem, contacts on or off at every knot, is left to a list of a dozen courses and a
-// solve of each: deterministic, and silent as long as nothing is wrong. A linear pendulum tells
-// whether something is: the capture point's distance from its nominal place. The path that it is
-// measured against is the shifted one and the one it was before it shifted, whichever is farther:
-// after the first step the robot is where it steps, and the second step decides.
+// solve of each: deterministic, and silent unless somebody pushes (push_alarm.h). Then a linear
+// pendulum tells whether it matters: the capture point's distance from its nominal place. The path
+// that it is measured against is the shifted one and the one it was before it shifted, whichever is
+// farther: after the first step the robot is where it steps, and the second step decides.
 
 #include <optional>
 #include <vector>
@@ -17,6 +17,7 @@
 #include "controller/mpc/centroidal_mpc.h"
 #include "controller/planner/gait_planner.h"
 #include "controller/planner/timing_candidates.h"
+#include "controller/push_alarm.h"
 
 namespace sidestep {
 
@@ -24,7 +25,7 @@ class TimingChoice {
  public:
   /// @param com_height_m  Of the nominal CoM above the ground. @param tick_s  One tick.
   TimingChoice(const TimingParams& params, const MpcParams& mpc, double com_height_m,
-               double tick_s);
+               double mass_kg, double tick_s);
 
   /// The course to go on with from `tick` on, or nothing: as the gait has it. `momentum` as for
   /// SampleReferences. Solves with `mpc`, and changes none of its plans.
@@ -42,6 +43,7 @@ class TimingChoice {
   MpcParams mpc_params_;
   TimingLimits limits_;
   double com_height_m_;
+  PushAlarm alarm_;
   double tick_s_;
   std::vector<GaitSupport> candidates_;  // scratch, as the rest
   ContactSchedule schedule_;

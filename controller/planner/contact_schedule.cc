@@ -12,11 +12,12 @@ ComReference KnotState(const std::vector<ComKnot>& com, std::size_t at, double t
   const ComKnot& knot = com[at];
   ComReference state;
   state.p_WC = knot.p_WC;
-  state.a_WC.z() = knot.a_z_mps2;
+  state.a_WC = knot.a_WC;
   if (knot.at_rest || at == 0 || at + 1 == com.size()) return state;
   const ComKnot& before = com[at - 1];
   const ComKnot& after = com[at + 1];
   state.v_WC = (after.p_WC - before.p_WC) / SecondsAt(after.tick - before.tick, tick_s);
+  state.v_WC.y() *= knot.haste;
   return state;
 }
 

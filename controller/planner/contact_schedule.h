@@ -28,8 +28,9 @@ struct ComKnot {
   Tick tick{0};
   Eigen::Vector3d p_WC{Eigen::Vector3d::Zero()};
   int sequence{0};
-  bool at_rest{false};   ///< Zero velocity here; elsewhere it is set by the neighbours.
-  double a_z_mps2{0.0};  ///< Vertical acceleration here: of a run's or hop's bounce.
+  bool at_rest{false};  ///< Zero velocity here; elsewhere it is set by the neighbours,
+  double haste{1.0};    ///< and along y so many times that: of a pendulum's sway.
+  Eigen::Vector3d a_WC{Eigen::Vector3d::Zero()};  ///< Here (m/s^2): of a bounce, or a sway.
   /// As a contact's, of the landing `sequence`.
   Eigen::Vector3d shift{Eigen::Vector3d::Zero()};
 };

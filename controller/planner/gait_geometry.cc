@@ -5,13 +5,13 @@
 
 namespace sidestep {
 
-GaitGeometry MakeGaitGeometry(const RobotDescription& robot, double com_sway) {
+GaitGeometry MakeGaitGeometry(const RobotDescription& robot, const ComSway& sway) {
   SIDESTEP_REQUIRE(!robot.feet.empty(), robot.name);
   GaitGeometry geometry;
   geometry.num_feet = static_cast<int>(robot.feet.size());
   geometry.com_height_m = robot.com_height_m;
   geometry.sole_height_m = robot.feet.front().sole_height_m;
-  geometry.com_sway = com_sway;
+  geometry.sway = sway;
   return geometry;
 }
 

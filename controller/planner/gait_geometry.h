@@ -9,8 +9,8 @@
 
 namespace sidestep {
 
-/// Of `robot`, which has feet (ContractViolation). `com_sway` is PlannerParams::com_sway; the boxes
-/// are empty: who adjusts steps fills them.
-GaitGeometry MakeGaitGeometry(const RobotDescription& robot, double com_sway);
+/// Of `robot`, which has feet (ContractViolation). `sway` is PlannerParams::sway; the boxes are
+/// empty: who adjusts steps fills them.
+GaitGeometry MakeGaitGeometry(const RobotDescription& robot, const ComSway& sway);
 
 }  // namespace sidestep

@@ -6,7 +6,6 @@
 #include "controller/planner/capture_point.h"
 #include "controller/planner/gait_generator.h"
 #include "controller/planner/step_width.h"
-#include "controller/planner/swing_reach.h"
 
 namespace sidestep {
 namespace {
@@ -28,7 +27,7 @@ GaitPlanner::GaitPlanner(const GaitSetup& setup, const PlannerParams& params, Ti
       touch_downs_(touch_downs),
       support_(StandingSupport(setup)) {
   decided_.resize(static_cast<std::size_t>(setup.geometry.num_feet));
-  p_WF_.resize(decided_.size(), Eigen::Vector3d::Zero());
+  moving_.resize(decided_.size());
   plan_.feet.resize(decided_.size());
   LayOutPlan();
 }
@@ -78,7 +77,7 @@ void GaitPlanner::Land(GaitSupport* next) {
 
 void GaitPlanner::NoteFeltFeet(const RobotState& state) {
   for (std::size_t foot = 0; foot < decided_.size(); ++foot) {
-    p_WF_[foot] = state.feet[foot].p_WF;
+    moving_[foot] = {state.feet[foot].p_WF, state.feet[foot].v_WF};
     is_felt_[foot] = state.feet[foot].in_contact;
     if (is_felt_[foot]) support_.feet[foot].nominal.contact.adjusted_p_WF = state.feet[foot].p_WF;
   }
@@ -109,9 +108,7 @@ void GaitPlanner::LayOut(const GaitSupport& support, ContactSchedule* schedule) 
     }
   }
   KeepFeetApart(params_.min_step_width_m, tick_, schedule);
-  if (params_.swing_speed_mps > 0.0) {
-    KeepWithinSwing(p_WF_, params_.swing_speed_mps, tick_, setup_.tick_s, schedule);
-  }
+  KeepWithinSwing(moving_, params_.swing, tick_, setup_.tick_s, schedule);
 }
 
 void GaitPlanner::LayOutPlan() {

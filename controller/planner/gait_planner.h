@@ -20,6 +20,7 @@
 #include "controller/planner/contact_schedule.h"
 #include "controller/planner/gait_setup.h"
 #include "controller/planner/gait_support.h"
+#include "controller/planner/swing_reach.h"
 #include "controller/planner/touch_down_events.h"
 #include "controller/types/contact_plan.h"
 #include "controller/types/gait_params.h"
@@ -98,7 +99,7 @@ class GaitPlanner {
   bool has_landed_early_{false};
   GaitSupport support_;
   std::array<bool, 2> is_felt_{};               // each foot's contact, at tick_
-  std::vector<Eigen::Vector3d> p_WF_;           // where the feet are, at tick_
+  std::vector<MovingFoot> moving_;              // the feet, at tick_
   std::vector<std::vector<Decision>> decided_;  // of each foot's contacts to come
   ContactSchedule schedule_;
   ContactPlan plan_;

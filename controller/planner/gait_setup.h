@@ -19,7 +19,7 @@ struct GaitGeometry {
   /// foot's are mirrored in y.
   Eigen::Vector3d box_lower_m{Eigen::Vector3d::Zero()};
   Eigen::Vector3d box_upper_m{Eigen::Vector3d::Zero()};
-  double com_sway{0.0};  ///< PlannerParams::com_sway.
+  ComSway sway;  ///< PlannerParams::sway.
 };
 
 struct GaitSetup {

@@ -156,14 +156,15 @@ void GaitWriter::CloseAt(Tick tick) {
 }
 
 // Leaves a knot out that would be before the last: of a closing step that began while running.
-void GaitWriter::AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest, double a_z_mps2) {
-  if (support_.num_passed > 0 && tick < support_.last_passed().tick) return;
-  const ComKnot knot{tick, p_WC, support_.sequence, at_rest, a_z_mps2, support_.shift};
+void GaitWriter::AddKnot(ComKnot knot) {
+  if (support_.num_passed > 0 && knot.tick < support_.last_passed().tick) return;
+  knot.sequence = support_.sequence;
+  knot.shift = support_.shift;
   support_.Pass(knot);
   if (schedule_ != nullptr) schedule_->com.push_back(knot);
 }
 
-void GaitWriter::AddComKnot(Tick tick, bool at_rest) {
+void GaitWriter::AddComKnot(Tick tick, bool at_rest, double haste) {
   double x_sum_m = 0.0;
   double y_sum_m = 0.0;
   int standing = 0;
@@ -174,18 +175,23 @@ void GaitWriter::AddComKnot(Tick tick, bool at_rest) {
     ++standing;
   }
   SIDESTEP_REQUIRE(standing > 0, standing);
-  AddKnot(tick, {x_sum_m / standing, y_sum_m / standing, setup_.geometry.com_height_m}, at_rest);
+  AddKnot({.tick = tick,
+           .p_WC = {x_sum_m / standing, y_sum_m / standing, setup_.geometry.com_height_m},
+           .at_rest = at_rest,
+           .haste = haste});
 }
 
 // In the middle of a swing: halfway between the double supports around it, and towards the foot
 // that stands.
-void GaitWriter::AddSwayKnot(Tick tick, int stance, const GaitParams& gait) {
+void GaitWriter::AddSwayKnot(Tick tick, int stance, const GaitParams& gait, const Sway& sway) {
   const double next_x_m = support_.path_x_m + gait.step_length_m;
   const double x_m = 0.25 * (2.0 * FootX(stance) + FootX(1 - stance) + next_x_m);
   const double path_y_m = support_.path_y_m + 0.5 * gait.step_side_m;
   const double foot_y_m = Foot(stance).nominal.contact.nominal_p_WF.y();
-  const double y_m = path_y_m + setup_.geometry.com_sway * (foot_y_m - path_y_m);
-  AddKnot(tick, {x_m, y_m, setup_.geometry.com_height_m}, false);
+  const double aside_m = foot_y_m - path_y_m;
+  AddKnot({.tick = tick,
+           .p_WC = {x_m, path_y_m + sway.share * aside_m, setup_.geometry.com_height_m},
+           .a_WC = {0.0, -sway.turn_back_mps2_m * aside_m, 0.0}});
 }
 
 void GaitWriter::AddBounceKnots(int foot, Tick lift_off, const GaitParams& gait) {
@@ -194,11 +200,13 @@ void GaitWriter::AddBounceKnots(int foot, Tick lift_off, const GaitParams& gait)
   const Eigen::Vector3d support(FootX(foot), Foot(foot).path_y_m, height_m);
   const Eigen::Vector3d next(support_.path_x_m + gait.step_length_m,
                              support_.path_y_m + gait.step_side_m, height_m);
-  AddKnot(lift_off - Ticks(gait.stance_s) / 2, support - Eigen::Vector3d(0.0, 0.0, bounce.depth_m),
-          false, bounce.stance_mps2);
+  AddKnot({.tick = lift_off - Ticks(gait.stance_s) / 2,
+           .p_WC = support - Eigen::Vector3d(0.0, 0.0, bounce.depth_m),
+           .a_WC = {0.0, 0.0, bounce.stance_mps2}});
   if (gait.flight_s == 0.0) return;
-  AddKnot(lift_off + Ticks(gait.flight_s) / 2,
-          0.5 * (support + next) + Eigen::Vector3d(0.0, 0.0, bounce.rise_m), false, -kGravity_mps2);
+  AddKnot({.tick = lift_off + Ticks(gait.flight_s) / 2,
+           .p_WC = 0.5 * (support + next) + Eigen::Vector3d(0.0, 0.0, bounce.rise_m),
+           .a_WC = {0.0, 0.0, -kGravity_mps2}});
 }
 
 bool GaitWriter::Stand() {
@@ -227,14 +235,16 @@ bool GaitWriter::FeetSideBySide() const {
 void GaitWriter::WalkStep(const GaitParams& gait) {
   const int swing = support_.next_foot;
   const Tick swing_ticks = Moved(Ticks(gait.swing_s), 1);
+  const Sway sway = SwayOf(setup_.geometry.sway, gait, setup_.geometry.com_height_m);
   Tick landing = support_.tick + swing_ticks;
   if (Foot(swing).stands()) {
     const Tick double_support = Ticks(gait.double_support_s);
-    AddComKnot(support_.tick + double_support / 2, false);
+    const bool goes_on = support_.num_passed > 0 && !support_.last_passed().at_rest;
+    AddComKnot(support_.tick + double_support / 2, false, goes_on ? sway.haste : 1.0);
     LiftOff(swing, support_.tick + double_support);
     landing += double_support;
   }
-  if (setup_.geometry.com_sway > 0.0) AddSwayKnot(landing - swing_ticks / 2, 1 - swing, gait);
+  if (sway.share > 0.0) AddSwayKnot(landing - swing_ticks / 2, 1 - swing, gait, sway);
   Advance(swing, landing, gait);
 }
 

@@ -5,7 +5,7 @@
 // see gait_generator.h and nominal_gait.h.
 //
 // Sources of the CoM's knots: over the middle of the feet in the middle of each support; with
-// GaitGeometry::com_sway also in the middle of a walk's swing, towards the foot that stands; of a
+// GaitGeometry::sway also in the middle of a walk's swing, towards the foot that stands; of a
 // run or hop also in the middle of each flight, halfway between the supports, with the height of a
 // bounce (bounce.h).
 
@@ -15,6 +15,7 @@
 #include "controller/planner/contact_schedule.h"
 #include "controller/planner/gait_setup.h"
 #include "controller/planner/gait_support.h"
+#include "controller/planner/sway.h"
 #include "controller/types/gait_params.h"
 #include "controller/types/tick.h"
 
@@ -49,7 +50,7 @@ class GaitWriter {
   bool FeetSideBySide() const;
 
   /// Puts the CoM over the middle of the feet that stand, y on the path.
-  void AddComKnot(Tick tick, bool at_rest);
+  void AddComKnot(Tick tick, bool at_rest, double haste = 1.0);
 
   /// Contacts without an end get one that is no earlier than `tick`, and stay of unknown end.
   void CloseAt(Tick tick);
@@ -71,8 +72,9 @@ class GaitWriter {
   void EndOrder();
   /// Ends the contact that `foot` stands in.
   void LiftOff(int foot, Tick tick);
-  void AddKnot(Tick tick, const Eigen::Vector3d& p_WC, bool at_rest, double a_z_mps2 = 0.0);
-  void AddSwayKnot(Tick tick, int stance, const GaitParams& gait);
+  /// Writes a knot of the path as it is now.
+  void AddKnot(ComKnot knot);
+  void AddSwayKnot(Tick tick, int stance, const GaitParams& gait, const Sway& sway);
   /// In the middle of the support by `foot` that ends at `lift_off`, and of the flight after it.
   void AddBounceKnots(int foot, Tick lift_off, const GaitParams& gait);
   bool Stand();

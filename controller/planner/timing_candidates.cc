@@ -9,6 +9,13 @@
 namespace sidestep {
 namespace {
 
+constexpr int kStepsFromStanding = 4;  // two to catch the robot, two to close up
+
+bool StandsStill(const GaitSetup& setup, const GaitSupport& support) {
+  const GaitWriter writer(setup, support, nullptr);
+  return writer.NextGait().type == GaitType::kStand && writer.FeetSideBySide();
+}
+
 // The walk's step that is under way.
 struct StepAhead {
   GaitParams gait;
@@ -56,6 +63,19 @@ void ListLiftOffs(const GaitSetup& setup, const GaitSupport& support, Tick now,
   }
 }
 
+// Standing: either foot may step out at once, and the feet follow each other until they stand
+// again.
+void ListSteps(const GaitSetup& setup, const GaitSupport& support, Tick now,
+               const TimingLimits& limits, std::vector<GaitSupport>* candidates) {
+  const double support_s = SecondsAt(limits.least_support, setup.tick_s);
+  const double swing_s = SecondsAt(limits.least_swing, setup.tick_s);
+  for (const int foot : {0, 1}) {
+    const auto steps =
+        StepOnTheSpot(setup, support, now, {kStepsFromStanding, swing_s, support_s, foot});
+    if (steps) candidates->push_back(*steps);
+  }
+}
+
 // One foot in the air: it may land sooner, and be followed quickly by the other one, or itself.
 void ListLandings(const GaitSetup& setup, const GaitSupport& support, Tick now,
                   const StepAhead& step, const TimingLimits& limits,
@@ -85,6 +105,10 @@ void ListTimingCandidates(const GaitSetup& setup, const GaitSupport& support, Ti
                           const TimingLimits& limits, std::vector<GaitSupport>* candidates) {
   candidates->clear();
   if (setup.geometry.num_feet != 2) return;
+  if (StandsStill(setup, support)) {
+    ListSteps(setup, support, now, limits, candidates);
+    return;
+  }
   const auto step = StepAheadOf(setup, support);
   if (!step || step->landing <= now) return;
   if (step->lift_off > now) {

@@ -7,7 +7,8 @@
 // land is not, for its grid is made of contacts that are on or off. But there is not much to choose
 // from: the foot in the air may land sooner; the next one may lift off sooner and swing quicker;
 // and it need not be the one whose turn it was, as a step of the foot that is pushed away from
-// helps nothing. Each choice is an edit of the gait (schedule_edits.h), to be weighed by the MPC.
+// helps nothing. One that stands may begin to step. Each choice is an edit of the gait
+// (schedule_edits.h), to be weighed by the MPC.
 
 #include <vector>
 
@@ -24,9 +25,9 @@ struct TimingLimits {
   Tick least_support{50};  ///< Shortest time on both feet.
 };
 
-/// Fills `candidates` with the other courses that the walk which `support` is in may take from
-/// `now` on, in an order that is always the same. None of other gaits or for one foot. At least one
-/// foot stands throughout.
+/// Fills `candidates` with the other courses that the walk or stand which `support` is in may take
+/// from `now` on, in an order that is always the same. None of other gaits or for one foot. At
+/// least one foot stands throughout.
 void ListTimingCandidates(const GaitSetup& setup, const GaitSupport& support, Tick now,
                           const TimingLimits& limits, std::vector<GaitSupport>* candidates);
 

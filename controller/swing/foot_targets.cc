@@ -6,10 +6,10 @@
 namespace sidestep {
 
 FootTargets::FootTargets(std::size_t num_feet, StandingRule rule, double tick_s,
-                         const FloorSearch& search)
+                         const FloorSearch& search, const SwingLimits& limits)
     : rule_(rule),
       longest_dip_(TickAt(kLongestDip_s, tick_s)),
-      feet_(num_feet, Foot{SwingFoot(tick_s, search)}) {}
+      feet_(num_feet, Foot{SwingFoot(tick_s, search, limits)}) {}
 
 void FootTargets::Update(const RobotState& state, const ContactPlan& plan, Tick tick,
                          std::vector<FootTarget>* feet) {

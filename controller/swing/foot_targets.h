@@ -30,7 +30,7 @@ class FootTargets {
   static constexpr double kIdleShare = 0.02;
 
   FootTargets(std::size_t num_feet, StandingRule rule, double tick_s,
-              const FloorSearch& search = {});
+              const FloorSearch& search = {}, const SwingLimits& limits = {});
 
   /// Writes contact, planned_contact and motion of every foot; forces stay as they are, those of
   /// the last call. Every foot stands before the first one. Call every control tick with ascending

@@ -21,7 +21,7 @@ QuinticState Follow(const QuinticState& from, const QuinticState& to, double rem
 
 void SwingFoot::LiftOff(const SwingShape& shape, const Eigen::Vector3d& p_WF, Tick tick) {
   shape_ = shape;
-  lift_off_tick_ = tick_ = tick;
+  lift_off_tick_ = tick_ = landing_tick_ = tick;
   lift_off_height_m_ = p_WF.z();
   target_p_WF_ = p_WF;
   x_ = {p_WF.x(), 0.0, 0.0};
@@ -51,8 +51,13 @@ void SwingFoot::UpdateHeight(Tick landing_tick, Tick tick) {
   const Tick apex_tick = lift_off_tick_ + (landing_tick - lift_off_tick_) / 2;
   const double elapsed_s = SecondsAt(tick - tick_, tick_s_);
   if (tick <= apex_tick) {
+    const double rise_s = SecondsAt(apex_tick - tick_, tick_s_);
+    if (landing_tick != landing_tick_) {  // once, for the bound on the way is a wider one
+      landing_tick_ = landing_tick;
+      highest_m_ = z_.position + 0.5 * z_.velocity * rise_s + limits_.ReachIn(rise_s);
+    }
     const double apex_m = std::max(lift_off_height_m_, target_p_WF_.z()) + shape_.height_m;
-    z_ = Follow(z_, {apex_m, 0.0, 0.0}, SecondsAt(apex_tick - tick_, tick_s_), elapsed_s);
+    z_ = Follow(z_, {std::min(apex_m, highest_m_), 0.0, 0.0}, rise_s, elapsed_s);
   } else {
     z_ = Follow(z_, {target_p_WF_.z(), -shape_.landing_speed_mps, 0.0},
                 SecondsAt(landing_tick - tick_, tick_s_), elapsed_s);

@@ -4,7 +4,8 @@
 //
 // Every tick joins the reference as it is (position, velocity, acceleration) to the foothold wanted
 // now by a quintic; with an unchanged foothold that is the same curve, with a new one acceleration
-// stays continuous. Height goes over an apex at half the swing and arrives with a small downward
+// stays continuous. Height goes over an apex at half the swing (a lower one if there is no time for
+// it, and arrives with a small downward
 // speed, so that a floor a little lower than believed is still found. One that is late searches on
 // downwards, faster and faster if it is told to, to a stated depth. One that leaves a place lower
 // than its next one rises to that height first: what it stood in has a wall.
@@ -13,6 +14,7 @@
 
 #include "controller/types/contact_plan.h"
 #include "controller/types/quintic.h"
+#include "controller/types/swing_limits.h"
 #include "controller/types/tick.h"
 
 namespace sidestep {
@@ -25,8 +27,8 @@ struct FloorSearch {
 
 class SwingFoot {
  public:
-  explicit SwingFoot(double tick_s, const FloorSearch& search = {})
-      : tick_s_(tick_s), search_(search) {}
+  explicit SwingFoot(double tick_s, const FloorSearch& search = {}, const SwingLimits& limits = {})
+      : tick_s_(tick_s), search_(search), limits_(limits) {}
 
   /// Begins a swing of that shape at `tick` from where the foot is, at rest on the ground.
   void LiftOff(const SwingShape& shape, const Eigen::Vector3d& p_WF, Tick tick);
@@ -51,8 +53,11 @@ class SwingFoot {
   SwingShape shape_;
   double tick_s_;
   FloorSearch search_;
+  SwingLimits limits_;
   Tick lift_off_tick_{0};
-  Tick tick_{0};  // of the reference below
+  Tick landing_tick_{0};   // that the highest apex is for
+  double highest_m_{0.0};  // that the foot can rise to by half of that swing
+  Tick tick_{0};           // of the reference below
   double lift_off_height_m_{0.0};
   Eigen::Vector3d target_p_WF_{Eigen::Vector3d::Zero()};
   QuinticState x_, y_, z_;

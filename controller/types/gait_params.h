@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "controller/types/field.h"
+#include "controller/types/swing_limits.h"
 
 namespace sidestep {
 
@@ -78,10 +79,12 @@ struct EnumNames<FollowMode> {
 };
 
 /// When a walk that is pushed steps, and with which foot, if that is not for the clock alone.
-/// Where the capture point is farther than error_m from where the gait would have it, other courses
-/// of the next steps (planner/timing_candidates.h) are weighed by the MPC's cost against going on.
+/// A push is noticed by what the plan did not foresee (push_alarm.h). While that counts, and the
+/// capture point is farther than error_m from where the gait would have it, other courses of the
+/// next steps (planner/timing_candidates.h) are weighed by the MPC's cost against going on.
 struct TimingParams {
   double error_m{0.0};  ///< 0: the clock decides. Above what a walk shows unpushed.
+  double alert_s{1.0};  ///< Two steps and more.
   double gain{0.3};     ///< Against steps to and fro about nothing.
   double least_swing_s{0.25};
   double least_rest_s{0.1};
@@ -90,8 +93,9 @@ struct TimingParams {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
     visit("error_m", self.error_m, Range{0.0, 10.0},
-          "a capture point farther than this from its nominal place makes a walk choose when its "
-          "feet land and lift off, and which (0: never)");
+          "a capture point that a push takes farther than this makes a walk choose when its feet "
+          "land and lift off, and which (0: never)");
+    visit("alert_s", self.alert_s, Range{0.0, 100.0}, "a push counts for so long");
     visit("gain", self.gain, Range{0.0, 1.0},
           "share of the MPC's cost that another course must save to be taken");
     visit("least_swing_s", self.least_swing_s, Range{0.05, 5.0},
@@ -100,6 +104,26 @@ struct TimingParams {
           "shortest time until a foot in the air lands");
     visit("least_support_s", self.least_support_s, Range{0.0, 5.0}, "shortest time on both feet");
   }
+};
+
+/// How far a walk's CoM reference goes to the side.
+enum class SwayMode {
+  kShare,    ///< As far as it is told.
+  kPendulum  ///< As a linear pendulum over one foot after the other does.
+};
+
+template <>
+struct EnumNames<SwayMode> {
+  static constexpr std::array<std::pair<SwayMode, std::string_view>, 2> kNames{
+      {{SwayMode::kShare, "share"}, {SwayMode::kPendulum, "pendulum"}}};
+};
+
+/// The way from the path to the standing foot, in the middle of a walk's swing. A pendulum whose
+/// steps take T in all has its CoM at the share 1 - 1 / cosh(T / 2 sqrt(g / h)) of it; along that
+/// reference the capture point is off by nothing as long as nobody pushes.
+struct ComSway {
+  SwayMode mode{SwayMode::kShare};
+  double share{0.0};  ///< Of SwayMode::kShare; 1: over the standing foot.
 };
 
 /// How the nominal path follows a robot that was pushed off it.
@@ -112,12 +136,12 @@ struct PlannerParams {
   FollowMode follow{FollowMode::kPath};
   double path_return_m{0.05};    ///< Counts under kCapturePoint alone; 0: never back.
   double min_step_width_m{0.0};  ///< 0: feet may come in line, but not cross.
-  double com_sway{0.0};          ///< Walk alone; 1: over the standing foot.
+  ComSway sway;                  ///< Walk alone.
   double early_load_ratio{0.2};  ///< Of the weight; from the middle of the swing on.
   double late_wait_s{0.1};       ///< 0: the clock goes on without the foot.
   double search_depth_m{0.06};   ///< Below where it should be; time and reach may end it before.
   double search_acceleration_mps2{0.0};  ///< From landing_speed_mps on; 0: never faster.
-  double swing_speed_mps{0.0};           ///< A mean over the swing; 0: not known, any.
+  SwingLimits swing;                     ///< Of footholds and of the height in the air.
   TimingParams timing;
 
   template <typename Self, typename Visitor>
@@ -129,7 +153,10 @@ struct PlannerParams {
           "largest drift back to the path in one step, once off it");
     visit("min_step_width_m", self.min_step_width_m, Range{0.0, 1.0},
           "of two feet: least distance along y that a step adjustment may leave");
-    visit("com_sway", self.com_sway, Range{0.0, 1.0},
+    visit("sway", self.sway.mode,
+          "how far the CoM reference goes to the side: share: as com_sway has it; pendulum: as a "
+          "linear pendulum that steps as the gait does");
+    visit("com_sway", self.sway.share, Range{0.0, 1.0},
           "where the CoM reference is in the middle of a swing: this share of the way from the "
           "path to the standing foot (0, as in the paper: on the path)");
     visit("early_load_ratio", self.early_load_ratio, Range{0.0, 1e3},
@@ -142,9 +169,12 @@ struct PlannerParams {
           "how far below its foothold a foot that is due and not felt looks for the ground");
     visit("search_acceleration_mps2", self.search_acceleration_mps2, Range{0.0, 100.0},
           "how much faster it goes down the longer it looks, from landing_speed_mps on");
-    visit("swing_speed_mps", self.swing_speed_mps, Range{0.0, 20.0},
-          "a foot in the air is sent no farther than this speed takes it until it lands (0: as far "
-          "as the box goes)");
+    visit("swing_speed_mps", self.swing.speed_mps, Range{0.0, 20.0},
+          "a foot is sent no farther than this mean speed takes it by its landing (0: as far as "
+          "the box goes)");
+    visit("swing_acceleration_mps2", self.swing.acceleration_mps2, Range{0.0, 1000.0},
+          "a foot is sent no farther and lifted no higher than this acceleration allows in the "
+          "time that it has (0: as far and high as it is asked)");
     visit("timing", self.timing, "when a pushed walk lets its feet land and lift off");
   }
 };

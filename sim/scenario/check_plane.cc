@@ -37,7 +37,11 @@ void CheckSteps(const Scenario& scenario, const ConfigTree& root) {
   const PlannerParams& planner = scenario.control.planner;
   require(mpc.box_lower_m.y() == 0.0, "control.mpc.box_lower_m.1", mpc.box_lower_m.y(), 0.0);
   require(mpc.box_upper_m.y() == 0.0, "control.mpc.box_upper_m.1", mpc.box_upper_m.y(), 0.0);
-  require(planner.com_sway == 0.0, "control.planner.com_sway", planner.com_sway, 0.0);
+  if (planner.sway.mode != SwayMode::kShare) {
+    FailAtEither(root, "control.planner.sway", "robot",
+                 "= pendulum must be share: '" + scenario.robot_name + "' moves in a plane");
+  }
+  require(planner.sway.share == 0.0, "control.planner.com_sway", planner.sway.share, 0.0);
   require(planner.min_step_width_m == 0.0, "control.planner.min_step_width_m",
           planner.min_step_width_m, 0.0);
 }

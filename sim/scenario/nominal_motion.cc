@@ -14,15 +14,14 @@ constexpr double kMargin_s = 5.0;
 
 // The box of a step's adjustment is the controller's, and none is asked for.
 NominalGait GaitOf(const RobotDescription& robot, const AskedGait& asked, Tick end_tick) {
-  const GaitGeometry geometry = MakeGaitGeometry(robot, asked.com_sway);
+  const GaitGeometry geometry = MakeGaitGeometry(robot, asked.sway);
   return BuildNominalGait(asked.segments, geometry, end_tick, asked.tick_s);
 }
 
 }  // namespace
 
 AskedGait AskedGaitOf(const Scenario& scenario) {
-  return {scenario.gait, scenario.control.planner.com_sway, scenario.duration_s,
-          scenario.world.step_s};
+  return {scenario.gait, scenario.control.planner.sway, scenario.duration_s, scenario.world.step_s};
 }
 
 std::size_t NearestStart(std::span<const Tick> starts, Tick tick) {

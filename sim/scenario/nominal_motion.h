@@ -22,13 +22,13 @@
 namespace sidestep {
 
 /// What a robot is asked to do, whoever controls it.
-/// `com_sway` is spelled `control.planner.com_sway`, for robots give it their own default there,
-/// but how far the CoM is to go to the side is asked of the robot and no choice of its controller:
-/// it is the only key of `control:` that moves the yardstick. What changes with it are the figures
+/// `sway` is spelled `control.planner.sway` and `com_sway`, for robots give them their own defaults
+/// there, but how far the CoM is to go to the side is asked of the robot and no choice of its
+/// controller: nothing else of `control:` moves the yardstick. What changes with it are the figures
 /// that look at the CoM's path across its way (path error, drift, recovery); footholds do not.
 struct AskedGait {
   std::vector<GaitParams> segments;  ///< In order of start_s, the first at 0.
-  double com_sway{0.0};              ///< PlannerParams::com_sway.
+  ComSway sway;                      ///< PlannerParams::sway.
   double duration_s{0.0};
   double tick_s{0.001};  ///< Length of a tick.
 };

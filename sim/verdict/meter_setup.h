@@ -12,7 +12,7 @@
 namespace sidestep {
 
 /// Nothing else of a scenario decides a metric: of the controller's settings only the gait's
-/// com_sway (see AskedGait) and how often it is asked.
+/// sway (see AskedGait) and how often it is asked.
 struct MeterSetup {
   RobotDescription robot;  ///< The nominal one: feet, heights, attitude at the start.
   Plant plant{Plant::kMujoco};

@@ -230,7 +230,7 @@ TEST_F(CentroidalControllerTest, TheLastProblemBearsItsNameAndTheBeliefOfItsSolv
 
 TEST_F(CentroidalControllerTest, TheSettingComSwayReachesItsReference) {
   // In the middle of the first swing, over 0.8 of the way to the right foot, 0.1 m aside.
-  setup_.control.planner.com_sway = 0.8;
+  setup_.control.planner.sway.share = 0.8;
   setup_.control.mpc.rate_hz = 2.0;
   CentroidalController swaying(setup_, &log_);
   Vector3d reference = Vector3d::Zero();

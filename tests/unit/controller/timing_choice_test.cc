@@ -52,7 +52,7 @@ GaitSetup Walk() {
   geometry.com_height_m = kHeight_m;
   geometry.box_lower_m << -0.4, -0.02, 0.0;
   geometry.box_upper_m << 0.4, 0.3, 0.0;
-  geometry.com_sway = 0.5;
+  geometry.sway.share = 0.5;
   return {{walk}, geometry, kTick_s};
 }
 
@@ -69,7 +69,7 @@ class TimingChoiceTest : public testing::Test {
   std::optional<GaitSupport> Choose(Tick tick, const Eigen::Vector3d& push_mps) {
     GaitPlanner planner(Walk(), {}, 1600);
     mpc::CentroidalMpc mpc(Mpc(), PlannedRobot(Robot(), kMass_kg), kTick_s);
-    TimingChoice choice(timing_, Mpc(), kHeight_m, kTick_s);
+    TimingChoice choice(timing_, Mpc(), kHeight_m, kMass_kg, kTick_s);
     for (Tick now = 0; now <= tick; now += 50) {
       for (std::size_t foot = 0; foot < 2; ++foot) {
         state_.feet[foot].in_contact = foot == 1 || now < 100;

@@ -23,7 +23,7 @@ double StanceSign(int step) { return step % 2 == 0 ? -1.0 : 1.0; }
 
 NominalGait Gait(const GaitParams& gait, double com_sway, int num_feet = 2) {
   GaitGeometry geometry = Geometry(num_feet);
-  geometry.com_sway = com_sway;
+  geometry.sway.share = com_sway;
   return BuildNominalGait({gait}, geometry, kEnd, kTick_s);
 }
 

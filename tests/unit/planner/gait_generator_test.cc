@@ -64,7 +64,7 @@ std::vector<Gait> Gaits() {
 class GaitGeneratorTest : public testing::TestWithParam<Gait> {
  protected:
   GaitGeneratorTest() : setup_(SetupOf(GetParam().segments, GetParam().num_feet)) {
-    setup_.geometry.com_sway = GetParam().com_sway;
+    setup_.geometry.sway.share = GetParam().com_sway;
     film_ = BuildNominalGait(setup_.segments, setup_.geometry, kEnd + 5 * kHorizon, kTick_s);
   }
 

@@ -14,7 +14,7 @@ inline constexpr double kSoleHeight_m = 0.015;
 inline constexpr double kComHeight_m = 0.5;
 
 inline GaitGeometry Geometry(int num_feet) {
-  return {num_feet, kComHeight_m, kSoleHeight_m, {-0.1, -0.05, -0.01}, {0.2, 0.15, 0.02}};
+  return {num_feet, kComHeight_m, kSoleHeight_m, {-0.1, -0.05, -0.01}, {0.2, 0.15, 0.02}, {}};
 }
 
 inline GaitParams Stretch(GaitType type, double start_s) {

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "controller/types/quintic.h"
+
 namespace sidestep::swing_reach_test {
 namespace {
 
@@ -20,9 +25,17 @@ ContactSchedule Flight() {
   return {{{next}}, {}};
 }
 
-PlannedContact Within(ContactSchedule schedule, const Eigen::Vector3d& p_WF, Tick tick) {
-  KeepWithinSwing({p_WF}, 1.0, tick, kTick_s, &schedule);
-  return schedule.feet[0][0].contact;
+constexpr SwingLimits kSpeed{1.0, 0.0};          // 1 m/s
+constexpr SwingLimits kAcceleration{0.0, 30.0};  // 30 m/s^2
+
+PlannedContact Within(ContactSchedule schedule, const MovingFoot& foot, Tick tick,
+                      const SwingLimits& limits) {
+  KeepWithinSwing({foot}, limits, tick, kTick_s, &schedule);
+  return schedule.feet[0].back().contact;
+}
+
+PlannedContact Within(const ContactSchedule& schedule, const Eigen::Vector3d& p_WF, Tick tick) {
+  return Within(schedule, {p_WF}, tick, kSpeed);
 }
 
 TEST(SwingReachTest, FarFromTheLandingTheBoxIsTheBounds) {
@@ -53,9 +66,54 @@ TEST(SwingReachTest, BoxesAreInTheContactsAxes) {
   EXPECT_LT((contact.box_upper_m - Eigen::Vector3d(0.01, -0.03, 0.0)).norm(), kRounding);
 }
 
-TEST(SwingReachTest, AStandingFootsNextStepIsFree) {
+TEST(SwingReachTest, WhereAFootStandsStaysAsItIs) {
   const PlannedContact contact = Within(Flight(), {0.0, 0.0, 0.0}, 400);
   EXPECT_EQ(contact.box_lower_m, Eigen::Vector3d(-0.2, -0.1, 0.0));
+}
+
+TEST(SwingReachTest, WithoutLimitsTheBoxIsTheBounds) {
+  const PlannedContact contact = Within(Flight(), {{-5.0, 2.0, 0.0}, {9.0, 9.0, 0.0}}, 390, {});
+  EXPECT_EQ(contact.box_lower_m, Eigen::Vector3d(-0.2, -0.1, 0.0));
+  EXPECT_EQ(contact.box_upper_m, Eigen::Vector3d(0.2, 0.1, 0.0));
+}
+
+// The furthest place is one that a quintic from rest reaches with that acceleration at its peak.
+TEST(SwingReachTest, AFootAtRestGetsAsFarAsItsAccelerationLets) {
+  const double time_s = 0.1;
+  const PlannedContact contact = Within(Flight(), {{0.3, 0.1, 0.0}}, 300, kAcceleration);
+  const Quintic way({}, {contact.box_upper_m.x(), 0.0, 0.0}, time_s);
+  double peak_mps2 = 0.0;
+  for (int i = 0; i <= 1000; ++i) {
+    peak_mps2 = std::max(peak_mps2, std::abs(way.At(1e-3 * i * time_s).acceleration));
+  }
+  EXPECT_NEAR(peak_mps2, kAcceleration.acceleration_mps2, 1e-3);
+  EXPECT_LT((contact.box_lower_m + contact.box_upper_m).norm(), kRounding) << "to either side";
+}
+
+// What a quintic still has to go it reaches at every moment of its way, but for a tenth at the
+// begin of it, which it takes to get going.
+TEST(SwingReachTest, OnItsWayAFootKeepsItsTarget) {
+  ContactSchedule schedule = Flight();
+  schedule.feet[0][0].contact.nominal_p_WF = {0.0, 0.1, 0.0};
+  const double target_m = 0.91 * kAcceleration.ReachIn(0.15);
+  const Quintic way({}, {target_m, 0.0, 0.0}, 0.15);
+  for (Tick tick = 250; tick < 400; ++tick) {
+    const QuinticState at = way.At(SecondsAt(tick - 250, kTick_s));
+    const MovingFoot foot{{at.position, 0.1, 0.0}, {at.velocity, 0.0, 0.0}};
+    const PlannedContact contact = Within(schedule, foot, tick, kAcceleration);
+    EXPECT_LE(contact.box_lower_m.x(), target_m + 1e-6) << tick;
+    EXPECT_GE(contact.box_upper_m.x(), target_m - 1e-6) << tick;
+  }
+}
+
+TEST(SwingReachTest, AStandingFootsNextStepHasItsWholeSwing) {
+  ContactSchedule schedule = Flight();
+  NominalContact stands;
+  stands.contact.start_tick = -500;
+  stands.contact.end_tick = 350;  // 50 ms in the air
+  schedule.feet[0].insert(schedule.feet[0].begin(), stands);
+  const PlannedContact contact = Within(schedule, {{0.3, 0.1, 0.0}}, 100, kSpeed);
+  EXPECT_LT((contact.box_upper_m - Eigen::Vector3d(0.05, 0.05, 0.0)).norm(), kRounding);
 }
 
 }  // namespace

@@ -113,8 +113,24 @@ TEST(TimingCandidatesTest, OnBothFeetEitherMayLiftOffAtOnceForShorter) {
   }
 }
 
+TEST(TimingCandidatesTest, StandingEitherFootMayStepOutAtOnceAndItEndsStanding) {
+  constexpr Tick kStanding = 500;
+  const GaitSetup stand = SetupOf({Stretch(GaitType::kStand, 0.0)}, 2);
+  const std::vector<GaitSupport> candidates = CandidatesAt(stand, kStanding);
+  ASSERT_EQ(candidates.size(), 2U);
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    ContactSchedule schedule;
+    GenerateSchedule(stand, candidates[foot], kStanding, kHorizon, &schedule);
+    EXPECT_EQ(NextLiftOff(schedule, foot, kStanding), kStanding + kLimits.least_support);
+    EXPECT_EQ(NextLanding(schedule, foot, kStanding),
+              kStanding + kLimits.least_support + kLimits.least_swing);
+    EXPECT_GT(NextLiftOff(schedule, 1 - foot, kStanding), NextLanding(schedule, foot, kStanding));
+    EXPECT_EQ(FeetDown(schedule, kStanding + 2000), 2);
+    EXPECT_EQ(schedule.com.back().p_WC.x(), schedule.com.front().p_WC.x()) << "on the spot";
+  }
+}
+
 TEST(TimingCandidatesTest, WhatIsNoWalkOnTwoFeetHasNone) {
-  EXPECT_TRUE(CandidatesAt(kWalk, 500).empty()) << "stands";
   const GaitSetup run = SetupOf({Stretch(GaitType::kStand, 0.0), Stretch(GaitType::kRun, 1.0)}, 2);
   const GaitSetup hop = SetupOf({Stretch(GaitType::kStand, 0.0), Stretch(GaitType::kHop, 1.0)}, 1);
   for (Tick now = 1100; now < 2000; now += 50) {

@@ -152,7 +152,7 @@ TEST(TouchDownMoveTest, FifthLandingIsRefused) {
 
 TEST(TouchDownMoveTest, SwayStaysInTheMiddleOfTheSwing) {
   GaitSetup setup = Walking();
-  setup.geometry.com_sway = 0.3;
+  setup.geometry.sway.share = 0.3;
   const auto edited = Move(setup, 1250, 1, 100);
   const ContactSchedule schedule = Schedule(setup, *edited, 1250);
   const auto is_of_the_swing = [](const ComKnot& knot) { return knot.tick == 1200 + 700 / 2; };

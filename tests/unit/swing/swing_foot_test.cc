@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -45,6 +47,20 @@ TEST(SwingFootTest, LeavesTheGroundAtRest) {
   const Sample first = FlyTo(kTarget, kLiftOff).front();
   EXPECT_LT((first.p - kStart).norm(), kRounding);
   EXPECT_LT(first.v.norm() + first.a.norm(), kRounding);
+}
+
+TEST(SwingFootTest, RisesNoHigherThanItHasTimeFor) {
+  SwingFoot swing(kTick_s, {}, {0.0, 10.0});
+  swing.LiftOff(kShape, kStart, kLiftOff);
+  constexpr Tick kSoon = kLiftOff + 100;
+  double highest_m = 0.0, peak_mps2 = 0.0;
+  for (Tick tick = kLiftOff; tick < kSoon; ++tick) {
+    swing.Update(kStart, kSoon, tick);
+    highest_m = std::max(highest_m, swing.position().z() - kStart.z());
+    if (tick <= kLiftOff + 50) peak_mps2 = std::max(peak_mps2, std::abs(swing.acceleration().z()));
+  }
+  EXPECT_NEAR(highest_m, 10.0 * 0.05 * 0.05 / kLeastJerkPeak, 1e-4) << "rest to rest in 50 ms";
+  EXPECT_LT(peak_mps2, 10.1);
 }
 
 TEST(SwingFootTest, ArrivesAtTheTargetAtLandingStraightDown) {

@@ -59,7 +59,7 @@ TEST(NominalMotionTest, IsTheScenariosWhateverItsControllerPlans) {
 TEST(NominalMotionTest, SwayMovesTheComAndNoFoothold) {
   Scenario scenario = TwoFeetScenario();
   const NominalMotion straight = NominalOf(scenario);
-  scenario.control.planner.com_sway = 0.5;
+  scenario.control.planner.sway.share = 0.5;
   const NominalMotion swaying = NominalOf(scenario);
   for (std::size_t foot = 0; foot < 2; ++foot) {
     EXPECT_EQ(straight.starts(foot), swaying.starts(foot));
@@ -72,7 +72,7 @@ TEST(NominalMotionTest, SwayMovesTheComAndNoFoothold) {
 TEST(NominalMotionTest, SwayIsTowardsTheFootThatStands) {
   Scenario scenario = TwoFeetScenario();
   EXPECT_NEAR(NominalOf(scenario).ComAt(1300).p_WC.y(), 0.0, 1e-12);
-  scenario.control.planner.com_sway = 0.5;
+  scenario.control.planner.sway.share = 0.5;
   // The right foot flies from 1000 to 1600: by hand, half way to the left foot at y = 0.08.
   EXPECT_NEAR(NominalOf(scenario).ComAt(1300).p_WC.y(), 0.04, 1e-12);
 }

@@ -38,7 +38,7 @@ Figures FiguresOf(const Scenario& scenario, const Motion& motion) {
 // Walks at 0.125 m/s along x, swaying by 3 cm.
 Scenario WalkScenario() {
   Scenario scenario = TwoFeetScenario();
-  scenario.control.planner.com_sway = 0.4;
+  scenario.control.planner.sway.share = 0.4;
   return scenario;
 }
 
