@@ -87,7 +87,8 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   } else {
     ReadCentroidalRobot(map, &robot);
   }
-  map.Optional("control");  // gains of this robot: ReadScenario reads them
+  map.Optional("control");         // gains of this robot: ReadScenario reads them, as
+  map.Optional("control_torque");  // what stands on top of them where torques drive it
   map.RejectUnknownKeys();
   return robot;
 }

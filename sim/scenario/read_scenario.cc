@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "models/support/config_node.h"
@@ -38,16 +39,25 @@ void CheckName(const ConfigNode& node) {
   }
 }
 
-// Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's.
-void ReadRobotControl(const std::filesystem::path& robot_file, const NoteSink& note,
+// Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's, and
+// `control_torque` between them where the robot is driven by torques. `scenario`: its control, or
+// nothing.
+void ReadRobotControl(const std::filesystem::path& robot_file,
+                      const std::optional<ConfigNode>& scenario, const NoteSink& note,
                       ControlParams* control) {
   ConfigTree root = ReadConfigFile(robot_file);
   RenameOldKeys(&root, note);
   ConfigMap map(root, "");
   if (const auto defaults = map.Optional("control")) ReadFields(*defaults, *control);
+  ControlParams asked;
+  asked.mode = control->mode;
+  if (scenario) ReadFields(*scenario, asked);
+  if (asked.mode != ControlMode::kTorque) return;
+  if (const auto defaults = map.Optional("control_torque")) ReadFields(*defaults, *control);
 }
 
-void ReadRobot(const ConfigNode& node, const NoteSink& note, Scenario* scenario) {
+void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
+               const NoteSink& note, Scenario* scenario) {
   const bool is_from_file = node.tree().place.source->is_file;
   const std::filesystem::path folder = is_from_file ? scenario->file.parent_path() : "";
   const std::filesystem::path robot_file = FindRobot(scenario->robot_name, folder);
@@ -56,7 +66,7 @@ void ReadRobot(const ConfigNode& node, const NoteSink& note, Scenario* scenario)
               DidYouMean(scenario->robot_name, ShippedRobots(), "robots that ship"));
   }
   scenario->robot = ReadRobotDescription(robot_file);
-  ReadRobotControl(robot_file, note, &scenario->control);
+  ReadRobotControl(robot_file, control, note, &scenario->control);
   // The centroidal plant has no joints: a robot's servos must not stand in a scenario's way there.
   ControlMode& mode = scenario->control.mode;
   const bool has_joints = scenario->plant != Plant::kCentroidal;
@@ -108,7 +118,7 @@ Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::
   scenario.file = file;
   ReadVersion(map);
   ReadBasics(map, &scenario);
-  ReadRobot(map.Required("robot"), note, &scenario);
+  ReadRobot(map.Required("robot"), map.Optional("control"), note, &scenario);
   Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot));
   map.RejectUnknownKeys();
   CheckScenario(scenario, root);

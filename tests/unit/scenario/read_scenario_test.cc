@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "tests/unit/scenario/scenario_fixture.h"
 
 namespace sidestep::read_scenario_test {
@@ -157,6 +160,38 @@ TEST_F(ReadScenarioTest, Fields) {
   EXPECT_EQ(
       ErrorOfEdit("world: {friction: 0.9}", "verdict: {max_slipp_m: 1}"),
       "a.yaml:15:11: error: verdict.max_slipp_m is not a known key; did you mean 'max_slip_m'?");
+}
+
+// A robot with servos and with defaults for where torques drive it.
+class RobotsControlTest : public ScenarioFixture {
+ protected:
+  RobotsControlTest() {
+    std::filesystem::create_directory(folder_.path() / "mini");
+    for (const auto& entry : std::filesystem::directory_iterator(FixtureRobots() / "mini")) {
+      std::filesystem::copy(entry.path(), folder_.path() / "mini" / entry.path().filename());
+    }
+    std::ofstream(folder_.path() / "mini/robot.yaml", std::ios::app)
+        << "control: {rate_hz: 500, mpc: {knots: 20, friction: 0.3}}\n"
+           "control_torque: {mpc: {friction: 0.5}}\n";
+  }
+
+  ControlParams ReadControl(const std::string& control) {
+    return Read("sidestep: 1\nname: a\nrobot: mini/robot.yaml\nduration_s: 1\n" + control).control;
+  }
+};
+
+TEST_F(RobotsControlTest, TorqueModeHasItsOwnDefaultsOnTop) {
+  const ControlParams control = ReadControl("control: {mode: torque}\n");
+  EXPECT_EQ(control.mpc.friction, 0.5);
+  EXPECT_EQ(control.mpc.knots, 20);
+}
+
+TEST_F(RobotsControlTest, WithoutTorquesTheyDoNotCount) {
+  EXPECT_EQ(ReadControl("control: {mode: passive}\n").mpc.friction, 0.3);
+}
+
+TEST_F(RobotsControlTest, TheScenariosWordIsTheLast) {
+  EXPECT_EQ(ReadControl("control: {mode: torque, mpc: {friction: 0.7}}\n").mpc.friction, 0.7);
 }
 
 }  // namespace
