@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sim/render/caption_colors.h"
+#include "sim/render/outcome.h"
+
 namespace sidestep::render {
 namespace {
-
-const Eigen::Vector3f kInk{0.10F, 0.11F, 0.13F};
-const Eigen::Vector3f kPassGreen{0.05F, 0.45F, 0.30F};
-const Eigen::Vector3f kFailRed{0.72F, 0.12F, 0.10F};
-const Eigen::Vector3f kInvalidGrey{0.40F, 0.40F, 0.42F};
-const Eigen::Vector3f kPushMagenta{0.78F, 0.00F, 0.40F};
 
 constexpr double kFinal_s = 1.0;
 constexpr std::size_t kMaxText = 80;  // characters; the layout cuts what does not fit
@@ -63,6 +60,11 @@ void AddVerdict(const RunSummary& summary, bool is_final, std::vector<Caption>* 
     }
     captions->push_back(
         {CaptionPlace::kTopRight, Printable(verdict + kinds, kMaxText), color, false});
+    return;
+  }
+  if (summary.verdict == VerdictClass::kPass && HasFallen(summary)) {
+    captions->push_back({CaptionPlace::kBottom, "FELL", kFailRed, true});
+    captions->push_back({CaptionPlace::kBottom, "as expected: " + verdict, color, false});
     return;
   }
   captions->push_back({CaptionPlace::kBottom, Printable(verdict, kMaxText), color, true});

@@ -22,7 +22,8 @@ struct Caption {
 };
 
 /// The captions at row.time_s: the scenario's name and the time, what pushes where, the verdict.
-/// In the last second before `end_s` the verdict is big and gives its reasons.
+/// In the last second before `end_s` the verdict is big and gives its reasons; of a robot that fell
+/// as its scenario expected, that it fell is big.
 std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const RunSummary& summary);
 
 /// `text` with every byte that is no printable ASCII replaced by '?', cut to `max_length`.

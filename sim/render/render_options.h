@@ -2,6 +2,7 @@
 #pragma once
 // render_options: how a run is drawn.
 
+#include <filesystem>
 #include <functional>
 
 #include "sim/scenario/scenario.h"
@@ -19,14 +20,21 @@ enum class RenderQuality {
 /// What `sidestep render` may set. Frame size and rate as in the scenario's `video`.
 struct RenderOptions {
   int width_px{640};   ///< Even, as H.264 asks.
-  int height_px{480};  ///< Even; frames of less than 240 carry no captions.
+  int height_px{480};  ///< Even.
   int fps{30};
   VideoCamera camera{VideoCamera::kFollow};
   RenderQuality quality{RenderQuality::kNormal};
-  int jobs{1};  ///< Processes that draw a share of the frames each.
+  bool has_captions{true};  ///< Words in the picture; frames lower than 240 never have any.
+  int jobs{1};              ///< Processes that draw a share of the frames each.
 
   /// Called with the share of frames drawn so far, in 0..1; may be empty.
   std::function<void(double share)> on_progress;
+};
+
+/// A single frame: when, and the file that it goes to.
+struct TimedPicture {
+  double time_s{0.0};
+  std::filesystem::path png;
 };
 
 }  // namespace sidestep

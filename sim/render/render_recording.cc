@@ -2,7 +2,6 @@
 #include "sim/render/render_recording.h"
 
 #include <poll.h>
-#include <unistd.h>
 
 #include <memory>
 #include <string>
@@ -12,34 +11,12 @@
 #include "sim/render/frame_source.h"
 #include "sim/render/frames.h"
 #include "sim/render/scene_renderer.h"
+#include "sim/render/scratch_dir.h"
 #include "sim/render/segment_process.h"
 #include "sim/render/video_file.h"
 
 namespace sidestep::render {
 namespace {
-
-// A folder for parts, removed when it goes out of scope.
-class ScratchDir {
- public:
-  explicit ScratchDir(const std::filesystem::path& beside)
-      : path_(beside.parent_path() / (".render." + std::to_string(getpid()))) {
-    std::error_code failure;
-    std::filesystem::create_directories(path_, failure);
-    if (failure) {
-      throw ConfigError(path_.string() + ": error: can't be created: " + failure.message());
-    }
-  }
-  ~ScratchDir() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchDir(const ScratchDir&) = delete;
-  ScratchDir& operator=(const ScratchDir&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 void CheckOptions(const RenderOptions& options) {
   const bool is_even = options.width_px % 2 == 0 && options.height_px % 2 == 0;
@@ -91,7 +68,7 @@ void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions
                  const std::filesystem::path& mp4) {
   CheckOptions(options);
   const int frames = FrameCount(recording.log, options.fps);
-  const ScratchDir scratch(std::filesystem::absolute(mp4));
+  const ScratchDir scratch(mp4);
   std::vector<std::filesystem::path> parts;
   std::vector<std::unique_ptr<SegmentProcess>> processes;
   for (const FrameSpan& span : SplitFrames(frames, options.jobs)) {
@@ -103,25 +80,24 @@ void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions
     }));
   }
   Await(processes, frames, options.on_progress);
-  const std::filesystem::path joined = scratch.path() / "video.mp4";
-  JoinVideos(parts, scratch.path(), joined);
-  std::error_code failure;
-  std::filesystem::rename(joined, mp4, failure);
-  if (failure) throw ConfigError(mp4.string() + ": error: can't be written: " + failure.message());
+  JoinVideos(parts, scratch.path(), scratch.path() / "video.mp4");
+  scratch.MoveOut("video.mp4", mp4);
 }
 
-void RenderFrame(const Recording& recording, mjModel* model, const RenderOptions& options,
-                 double time_s, const std::filesystem::path& png) {
+void RenderFrames(const Recording& recording, mjModel* model, const RenderOptions& options,
+                  const std::vector<TimedPicture>& pictures) {
   CheckOptions(options);
   std::vector<std::unique_ptr<SegmentProcess>> processes;
   processes.push_back(std::make_unique<SegmentProcess>([&](const auto& report_frame) {
     SceneRenderer renderer(model, options);
-    const FrameContent content = ContentAt(recording, options, time_s);
-    WritePng(renderer.Draw(recording.log.rows[content.row].qpos, content), options.width_px,
-             options.height_px, png);
-    report_frame();
+    for (const TimedPicture& picture : pictures) {
+      const FrameContent content = ContentAt(recording, options, picture.time_s);
+      WritePng(renderer.Draw(recording.log.rows[content.row].qpos, content), options.width_px,
+               options.height_px, picture.png);
+      report_frame();
+    }
   }));
-  Await(processes, 1, options.on_progress);
+  Await(processes, static_cast<int>(pictures.size()), options.on_progress);
 }
 
 }  // namespace sidestep::render

@@ -5,6 +5,7 @@
 #include <mujoco/mujoco.h>
 
 #include <filesystem>
+#include <vector>
 
 #include "sim/render/recording.h"
 #include "sim/render/render_options.h"
@@ -17,10 +18,10 @@ namespace sidestep::render {
 void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
                  const std::filesystem::path& mp4);
 
-/// Draws the frame `time_s` after the log's first row and writes it as PNG. It, too, is drawn in a
-/// process of its own, so that this one never holds an OpenGL context when it forks.
+/// Draws one frame for each picture, `time_s` after the log's first row, as PNG. They, too, are
+/// drawn in a process of their own, so that this one never holds an OpenGL context when it forks.
 /// @throws ConfigError as RenderVideo.
-void RenderFrame(const Recording& recording, mjModel* model, const RenderOptions& options,
-                 double time_s, const std::filesystem::path& png);
+void RenderFrames(const Recording& recording, mjModel* model, const RenderOptions& options,
+                  const std::vector<TimedPicture>& pictures);
 
 }  // namespace sidestep::render

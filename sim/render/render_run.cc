@@ -39,11 +39,12 @@ void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& option
   render::RenderVideo(run.recording, run.model.get(), options, run_dir / "video.mp4");
 }
 
-void WriteFramePng(const std::filesystem::path& run_dir, double time_s,
-                   const std::filesystem::path& png, const RenderOptions& options) {
+void WriteFramePngs(const std::filesystem::path& run_dir, std::vector<TimedPicture> pictures,
+                    const RenderOptions& options) {
   const LoadedRun run = Load(run_dir);
   const double first_s = run.recording.log.rows.front().time_s;
-  render::RenderFrame(run.recording, run.model.get(), options, time_s - first_s, png);
+  for (TimedPicture& picture : pictures) picture.time_s -= first_s;
+  render::RenderFrames(run.recording, run.model.get(), options, pictures);
 }
 
 }  // namespace sidestep

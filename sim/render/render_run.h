@@ -3,6 +3,7 @@
 // render_run: a run's folder in, video.mp4 out. No display, no GPU.
 
 #include <filesystem>
+#include <vector>
 
 #include "sim/render/render_options.h"
 
@@ -18,8 +19,9 @@ RenderOptions RenderOptionsOf(const std::filesystem::path& run_dir);
 /// @throws ConfigError if a file is missing or broken, or ffmpeg fails (with its words).
 void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& options);
 
-/// Writes the single frame at `time_s` of the run's time as a PNG. @throws as RenderRun.
-void WriteFramePng(const std::filesystem::path& run_dir, double time_s,
-                   const std::filesystem::path& png, const RenderOptions& options = {});
+/// Writes single frames as PNG, each at `time_s` of the run's time; before its start or after its
+/// end, its first or last one. @throws as RenderRun.
+void WriteFramePngs(const std::filesystem::path& run_dir, std::vector<TimedPicture> pictures,
+                    const RenderOptions& options);
 
 }  // namespace sidestep

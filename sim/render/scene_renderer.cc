@@ -60,6 +60,7 @@ int FontScale(int height_px) {
 SceneRenderer::SceneRenderer(mjModel* model, const RenderOptions& options)
     : model_(model),
       quality_(options.quality),
+      has_captions_(options.has_captions && options.height_px >= kLeastCaptionHeight_px),
       data_(MakeData(*model)),
       viewport_{0, 0, options.width_px, options.height_px},
       pixels_(static_cast<std::size_t>(3) * static_cast<std::size_t>(options.width_px) *
@@ -116,9 +117,7 @@ const std::vector<std::uint8_t>& SceneRenderer::Draw(const Eigen::VectorXd& qpos
   }
   for (const Decoration& decoration : content.decorations) AddDecoration(decoration);
   mjr_render(viewport_, &scene_, &renderer_);
-  if (viewport_.height >= kLeastCaptionHeight_px) {
-    DrawCaptions(content.captions, viewport_, renderer_);
-  }
+  if (has_captions_) DrawCaptions(content.captions, viewport_, renderer_);
   mjr_readPixels(pixels_.data(), nullptr, viewport_, &renderer_);
   return pixels_;
 }

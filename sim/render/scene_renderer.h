@@ -36,6 +36,7 @@ class SceneRenderer {
 
   mjModel* model_;  ///< Not owned; must outlive the renderer.
   RenderQuality quality_;
+  bool has_captions_;
   OffscreenContext gl_;  ///< Before all that needs a context.
   MjDataPtr data_;       ///< Holds the posture that is drawn, no simulation.
   mjvScene scene_;       ///< Owned, freed by the destructor, as renderer_ is.

@@ -27,12 +27,11 @@ std::vector<std::string> With(std::vector<std::string> arguments,
   return arguments;
 }
 
-// A path as an operand that no option parser or protocol prefix can mistake.
+}  // namespace
+
 std::string FileOperand(const std::filesystem::path& file) {
   return "file:" + std::filesystem::absolute(file).string();
 }
-
-}  // namespace
 
 // Without B-frames, parts join at exact frame times whatever their length.
 VideoWriter::VideoWriter(const std::filesystem::path& file, int width_px, int height_px, int fps)

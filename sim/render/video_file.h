@@ -4,11 +4,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "sim/process/process.h"
 
 namespace sidestep::render {
+
+/// A path as an operand of ffmpeg's that no option parser or protocol prefix can mistake.
+std::string FileOperand(const std::filesystem::path& file);
 
 /// An H.264 stream being written, one frame at a time.
 class VideoWriter {

@@ -10,14 +10,13 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "sim/process/process.h"
+#include "tests/support/run_files.h"
 #include "tests/unit/check/check_test_support.h"
 
 namespace sidestep {
@@ -54,11 +53,6 @@ ProcessResult RunOf(const fs::path& file, const fs::path& out,
   std::vector<std::string> arguments{"run", file, "-o", out, "--no-video", "--no-plots", "-q"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return Sidestep(arguments);
-}
-
-std::string TextOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 nlohmann::json SummaryOf(const fs::path& run_dir) {
@@ -111,6 +105,7 @@ TEST(ExitCodeTest, MistakesOfTheUserAreTwoAndOneLineOnStderr) {
            {"check", bad},
            {"check", good, "--jobs", "0"},
            {"render", folder.path()},
+           {"film", folder.path(), folder.path(), "-o", out},
            {"solve", good},
            {"robots", "no_such_robot"}}) {
     const ProcessResult result = Sidestep(arguments);

@@ -27,6 +27,9 @@ void AddRenderCommand(CLI::App& app, int& exit_code);
 void AddPlotCommand(CLI::App& app, int& exit_code);
 void AddReportCommand(CLI::App& app, int& exit_code);
 
+/// `film RUN_A RUN_B`: two runs side by side.
+void AddFilmCommand(CLI::App& app, int& exit_code);
+
 /// `robots [ROBOT]`: lists the robots that ship, or tells of one.
 void AddRobotsCommand(CLI::App& app, int& exit_code);
 
@@ -40,6 +43,9 @@ void AddSolveCommand(CLI::App& app, int& exit_code);
 
 /// Adds `--set a.b=c`, repeatable; each takes one value, so a path may follow.
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
+
+/// What an option that takes a time of a run (s) asks of it: a number, not negative.
+CLI::Validator TimeInRun();
 
 /// Prints a line to stderr: what a reader notes although nothing is wrong.
 void PrintNote(const std::string& note);

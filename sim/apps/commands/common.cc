@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What several commands share.
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -16,6 +17,15 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
       ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
+}
+
+CLI::Validator TimeInRun() {
+  return {[](std::string& text) {
+            double time_s = 0.0;
+            const bool is_time = CLI::detail::lexical_cast(text, time_s) && std::isfinite(time_s);
+            return is_time && time_s >= 0.0 ? "" : text + " is not a time of a run";
+          },
+          ""};
 }
 
 void PrintNote(const std::string& note) { std::fprintf(stderr, "%s\n", note.c_str()); }

@@ -73,6 +73,12 @@ void RequireRunFolder(const fs::path& folder) {
   if (!fs::exists(folder / kRunMark)) Refuse(folder, "is not a run's folder (no scenario.yaml)");
 }
 
+void CheckOutFile(const fs::path& file, bool may_replace) {
+  if (fs::is_directory(file)) Refuse(file, "is a folder");
+  if (!fs::is_directory(fs::absolute(file).parent_path())) Refuse(file, "its folder is not there");
+  if (fs::exists(file) && !may_replace) Refuse(file, "is there already; --force replaces it");
+}
+
 void WriteTextFile(const fs::path& file, const std::string& text) {
   std::error_code ignored;  // the write below tells
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);

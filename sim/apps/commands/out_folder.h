@@ -21,6 +21,10 @@ void PrepareOutFolder(const std::filesystem::path& folder, bool may_replace);
 /// Throws ConfigError unless `folder` is one that a run left (it holds a scenario.yaml).
 void RequireRunFolder(const std::filesystem::path& folder);
 
+/// Throws ConfigError unless a file may be written there: its folder exists, and it is no folder
+/// itself and not there yet, or a file and `may_replace`.
+void CheckOutFile(const std::filesystem::path& file, bool may_replace);
+
 /// Writes a whole file, making the folder that it lies in. Throws ConfigError if it can't.
 void WriteTextFile(const std::filesystem::path& file, const std::string& text);
 

@@ -34,7 +34,7 @@ int Render(const RenderArguments& arguments) {
   options.quality = QualityOf(arguments.quality);
   options.jobs = arguments.jobs;
   if (!arguments.frame.empty()) {
-    WriteFramePng(arguments.run_dir, arguments.time_s, arguments.frame, options);
+    WriteFramePngs(arguments.run_dir, {{arguments.time_s, arguments.frame}}, options);
     std::printf("%s\n", arguments.frame.c_str());
     return kExitPass;
   }
@@ -59,7 +59,9 @@ void AddRenderCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--frame", arguments->frame, "Write one frame as PNG instead")
       ->type_name("FILE");
-  command->add_option("--time", arguments->time_s, "Time of that frame (s)")->type_name("S");
+  command->add_option("--time", arguments->time_s, "Time of that frame (s)")
+      ->check(TimeInRun())
+      ->type_name("S");
   command->add_option("-j,--jobs", arguments->jobs, "Processes that draw")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

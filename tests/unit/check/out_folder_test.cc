@@ -56,6 +56,22 @@ TEST(OutFolderTest, CheckingChangesNothing) {
   EXPECT_TRUE(fs::exists(run));
 }
 
+TEST(OutFileTest, AFileIsReplacedOnlyWhenAsked) {
+  const ScratchFolder scratch;
+  scratch.Write("film.mp4", "x");
+  EXPECT_NO_THROW(CheckOutFile(scratch.path() / "new.mp4", false));
+  EXPECT_NO_THROW(CheckOutFile(scratch.path() / "film.mp4", true));
+  EXPECT_THROW(CheckOutFile(scratch.path() / "film.mp4", false), ConfigError);
+}
+
+TEST(OutFileTest, AFolderAndAFileInNoFolderAreRefusedEvenByForce) {
+  const ScratchFolder scratch;
+  fs::create_directories(scratch.path() / "folder");
+  EXPECT_THROW(CheckOutFile(scratch.path() / "folder", true), ConfigError);
+  EXPECT_THROW(CheckOutFile(scratch.path() / "absent/film.mp4", true), ConfigError);
+  EXPECT_NO_THROW(CheckOutFile("a_bare_name.mp4", false)) << "it goes where we are";
+}
+
 TEST(OutFolderTest, AFileInItsPlaceIsRefused) {
   const ScratchFolder scratch;
   const fs::path file = scratch.Write("file", "x");

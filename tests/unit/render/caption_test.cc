@@ -56,6 +56,17 @@ TEST(CaptionTest, TheLastSecondShowsTheVerdictBigWithItsReason) {
             1);
 }
 
+TEST(CaptionTest, AFallThatWasExpectedIsToldBesideThePass) {
+  RunSummary summary;
+  summary.verdict = VerdictClass::kPass;
+  summary.metrics = {{"fall", true}};
+  const auto captions = CaptionsAt(RowAtTime(3.5), 4.0, summary);
+  EXPECT_TRUE(Says(captions, "FELL"));
+  EXPECT_TRUE(Says(captions, "as expected: PASS"));
+  summary.metrics = {{"fall", false}};
+  EXPECT_FALSE(Says(CaptionsAt(RowAtTime(3.5), 4.0, summary), "FELL"));
+}
+
 TEST(CaptionTest, ASummaryWithoutAnythingIsNoError) {
   const auto captions = CaptionsAt(RowAtTime(0.5, 12.0), 4.0, RunSummary());
   EXPECT_TRUE(Says(captions, "PUSH 12 N"));

@@ -13,11 +13,16 @@
 
 #include "models/support/config_error.h"
 #include "sim/process/process.h"
+#include "tests/support/run_files.h"
 #include "tests/support/synthetic_run.h"
+#include "tests/unit/render/render_test_support.h"
 
 namespace sidestep::render_run_test {
 namespace {
 
+using ::sidestep::render_test_support::ErrorOf;
+using ::sidestep::render_test_support::Probe;
+using ::sidestep::render_test_support::WithoutPrograms;
 using ::sidestep::testing::FreshTestDir;
 using ::sidestep::testing::SyntheticRun;
 using ::sidestep::testing::WriteSyntheticRun;
@@ -31,55 +36,17 @@ RenderOptions Small() {
   return options;
 }
 
-std::string TextOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// What ffprobe says of a video's only stream, frames counted by decoding them.
-nlohmann::json Probe(const std::filesystem::path& video) {
-  const ProcessResult result =
-      RunOrThrow({"ffprobe", "-v", "error", "-count_frames", "-show_streams", "-show_format", "-of",
-                  "json", video.string()});
-  const nlohmann::json answer = nlohmann::json::parse(result.out);
-  nlohmann::json stream = answer.at("streams").at(0);
-  stream["container_duration"] = answer.at("format").at("duration");
-  return stream;
-}
-
 /// Number of pixels of the push arrow's magenta in a picture.
 int PushPixels(const std::filesystem::path& png) {
-  const ProcessResult result = RunOrThrow({"ffmpeg", "-v", "error", "-i", png.string(), "-f",
-                                           "rawvideo", "-pix_fmt", "rgb24", "pipe:1"});
+  const std::string pixels = render_test_support::DecodedRgb(png);
   int count = 0;
-  for (std::size_t i = 0; i + 2 < result.out.size(); i += 3) {
+  for (std::size_t i = 0; i + 2 < pixels.size(); i += 3) {
     const auto channel = [&](std::size_t k) {
-      return static_cast<int>(static_cast<unsigned char>(result.out[i + k]));
+      return static_cast<int>(static_cast<unsigned char>(pixels[i + k]));
     };
     if (channel(0) > 210 && channel(1) < 60 && channel(2) > 90 && channel(2) < 200) ++count;
   }
   return count;
-}
-
-/// Runs a test's body without any program in PATH.
-class WithoutPrograms {
- public:
-  WithoutPrograms() : path_(std::getenv("PATH")) { setenv("PATH", "/nonexistent", 1); }
-  ~WithoutPrograms() { setenv("PATH", path_.c_str(), 1); }
-  WithoutPrograms(const WithoutPrograms&) = delete;
-  WithoutPrograms& operator=(const WithoutPrograms&) = delete;
-
- private:
-  std::string path_;
-};
-
-std::string ErrorOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(RenderRunTest, TheVideoHasAFrameForEachTickOfItsRateInAnyNumberOfJobs) {
@@ -134,12 +101,41 @@ TEST(RenderRunTest, ThePushArrowIsSeenWhileThePushActsAndNotBeforeOrAfter) {
   const auto dir = FreshTestDir("render_push");
   WriteSyntheticRun(dir);  // pushes from 0.2 s to 0.3 s
   const auto pixels_at = [&](double time_s) {
-    WriteFramePng(dir, time_s, dir / "frame.png", Small());
+    WriteFramePngs(dir, {{time_s, dir / "frame.png"}}, Small());
     return PushPixels(dir / "frame.png");
   };
   EXPECT_EQ(pixels_at(0.15), 0);
   EXPECT_GT(pixels_at(0.25), 60);
   EXPECT_EQ(pixels_at(0.45), 0);
+}
+
+/// Whether words stand in a picture of 240 rows: their boxes are darker than anything else there.
+bool HasWords(const std::filesystem::path& dir, bool has_captions) {
+  RenderOptions options = Small();
+  options.width_px = 320;
+  options.height_px = 240;
+  options.has_captions = has_captions;
+  WriteFramePngs(dir, {{0.1, dir / "frame.png"}}, options);
+  const std::string pixels = render_test_support::DecodedRgb(dir / "frame.png");
+  const auto box = static_cast<std::size_t>(3 * (320 * 8 + 8));  // in the box of the name
+  return static_cast<unsigned char>(pixels.at(box)) < 100;
+}
+
+TEST(RenderRunTest, WordsAreLeftOutWhenAsked) {
+  const auto dir = FreshTestDir("render_words");
+  WriteSyntheticRun(dir);
+  EXPECT_TRUE(HasWords(dir, true));
+  EXPECT_FALSE(HasWords(dir, false));
+}
+
+TEST(RenderRunTest, ManyPicturesAreDrawnAtOnceEachAtItsTime) {
+  const auto dir = FreshTestDir("render_pictures");
+  WriteSyntheticRun(dir);
+  WriteFramePngs(dir, {{0.15, dir / "a.png"}, {0.25, dir / "b.png"}, {99.0, dir / "c.png"}},
+                 Small());
+  EXPECT_EQ(PushPixels(dir / "a.png"), 0);
+  EXPECT_GT(PushPixels(dir / "b.png"), 60);
+  EXPECT_EQ(PushPixels(dir / "c.png"), 0) << "the last frame";
 }
 
 TEST(RenderRunTest, ARunCutShortWithinARowIsStillDrawn) {

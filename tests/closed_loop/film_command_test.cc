@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `film` as the shell sees it: what it writes, and what it refuses.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "sim/process/process.h"
+#include "tests/support/run_files.h"
+#include "tests/support/temp_folder.h"
+
+namespace sidestep::film_command_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStanding =
+    "sidestep: 1\nname: standing\nrobot: hopper\nduration_s: 0.3\nexpect: {fall: false}\n";
+
+ProcessResult Sidestep(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), SIDESTEP_BINARY);
+  return RunProcess(arguments);
+}
+
+void ExpectOneLine(const std::string& err) {
+  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+}
+
+// A short run with a small video, or with none.
+void RunInto(const TempFolder& folder, const fs::path& out, const std::string& video) {
+  const fs::path file = folder.Write("s.yaml", kStanding);
+  const ProcessResult result =
+      Sidestep({"run", file, "-o", out, "--no-plots", "-q", "--set", "video=" + video});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST(FilmCommandTest, TwoRunsBecomeOneFilmAndOneStrip) {
+  const TempFolder folder;
+  const fs::path left = folder.path() / "left", right = folder.path() / "right";
+  RunInto(folder, left, "{size: [80, 64], fps: 10}");
+  RunInto(folder, right, "{size: [64, 80], fps: 20}");
+  const fs::path film = folder.path() / "film.mp4", strip = folder.path() / "strip.png";
+  const std::vector<std::string> words{"film", left,      right,     "-o",       film,   "--strip",
+                                       strip,  "--times", "0.1,0.9", "--labels", "a,b c"};
+  const ProcessResult result = Sidestep(words);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, film.string() + "\n" + strip.string() + "\n");
+  EXPECT_GT(fs::file_size(film), 0U);
+  EXPECT_EQ(TextOf(strip).substr(1, 3), "PNG");
+  const ProcessResult again = Sidestep(words);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_EQ(again.err, film.string() + ": error: is there already; --force replaces it\n");
+}
+
+TEST(FilmCommandTest, MistakesAreTwoAndOneLineAndLeaveNothing) {
+  const TempFolder folder;
+  const fs::path run = folder.path() / "run", film = folder.path() / "film.mp4";
+  RunInto(folder, run, "false");
+  const std::string absent = folder.path() / "absent" / "film.mp4";
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {run},
+           {run, run},
+           {run, run, "-o", film},  // it has no video
+           {run, folder.path(), "-o", film},
+           {run, folder.path() / "absent", "-o", film},
+           {run, run, "-o", absent},
+           {run, run, "-o", folder.path()},
+           {run, run, "-o", film, "--labels", "one"},
+           {run, run, "-o", film, "--times", "1"},
+           {run, run, "--strip", film},
+           {run, run, "--strip", film, "--times", "-1"},
+           {run, run, "--strip", film, "--times", "0.1,nan"},
+           {run, run, "--strip", film, "--times", "0,1,2,3,4,5,6,7,8,9,10,11,12"}}) {
+    std::vector<std::string> words{"film"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const ProcessResult result = Sidestep(words);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(words) << result.err;
+    ExpectOneLine(result.err);
+    EXPECT_EQ(result.out, "");
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2) << "s.yaml and run";
+  folder.Write("run/video.mp4", "mine");
+  EXPECT_EQ(Sidestep({"film", run, run, "-o", run / "video.mp4", "--force"}).exit_code, 2);
+  EXPECT_EQ(TextOf(run / "video.mp4"), "mine");
+}
+
+}  // namespace
+}  // namespace sidestep::film_command_test
