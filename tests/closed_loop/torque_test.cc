@@ -71,18 +71,6 @@ std::vector<std::string> ShovedHard(const std::string& push, const std::string& 
                             error_m + "}}"});
 }
 
-TEST(TorqueTest, IcubCatchesItselfWhenItsStepsMayComeSooner) {
-  // The left foot lands, and the right one.
-  for (const char* push : {"force_N: [0, 262, 0], start_s: 4.45",
-                           "force_N: [0, -262, 0], "
-                           "start_s: 4.95"}) {
-    const ClosedLoopRun in_time("icub_walk_fast", ShovedHard(push, "0.04"));
-    EXPECT_EQ(in_time.verdict.verdict_class, VerdictClass::kPass) << push << in_time.Describe();
-    const ClosedLoopRun by_the_clock("icub_walk_fast", ShovedHard(push, "0"));
-    EXPECT_TRUE(by_the_clock.FailedBy(reason::kFall)) << push << by_the_clock.Describe();
-  }
-}
-
 TEST(TorqueTest, IcubThatNothingPushesStepsByTheClockToTheLastBit) {
   const auto measured = [](const std::string& error_m) {
     std::vector<std::string> overrides = ShovedHard("force_N: [0, 0, 0], start_s: 1", error_m);
