@@ -5,8 +5,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 # The same push with and without step adjustment.
-with=icub_walk_right_arm_push
-without=icub_walk_right_arm_push_no_adjustment
+with=icub_torque_push
+without=icub_torque_push_no_adjustment
 
 cmake/install_packages.sh
 echo "building (the first time takes a few minutes)"
