@@ -73,7 +73,7 @@ TEST_F(UrdfRobotErrorTest, Files) {
             "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
             "com_height_m, urdf, mjcf, mass_kg, locked_joints, joints, imu, force_torque, "
             "self_collision, base, torso, base_height_m, base_rpy_rad, home, arm_force_torque, "
-            "feet, control");
+            "feet, control, control_torque");
 }
 
 TEST_F(UrdfRobotErrorTest, PartsOfTheUrdf) {
