@@ -22,6 +22,7 @@ Sway SwayOf(const ComSway& asked, const GaitParams& gait, double height_m) {
   const double most = std::cosh(half_support + half_swing);
   Sway sway;
   sway.share = 1.0 - std::sinh(half_support) / half_support / most;
+  if (asked.share > 0.0 && sway.share > asked.share) return {asked.share};
   const double crossing_per_s = 2.0 / support_s * (1.0 - std::cosh(half_swing) / most);
   sway.haste = crossing_per_s * (gait.swing_s + support_s) / (2.0 * sway.share);
   sway.turn_back_mps2_m = rate_per_s * rate_per_s * (1.0 - sway.share);

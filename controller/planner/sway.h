@@ -18,7 +18,8 @@ struct Sway {
   double turn_back_mps2_m{0.0};  ///< Acceleration in mid-swing per metre from the path to the foot.
 };
 
-/// Of a walk of these times by a robot whose CoM is `height_m` above the ground.
+/// Of a walk of these times by a robot whose CoM is `height_m` above the ground. A slow walk's
+/// pendulum stands over one foot, then over the other; a robot that is asked for less sways less.
 Sway SwayOf(const ComSway& asked, const GaitParams& gait, double height_m);
 
 }  // namespace sidestep

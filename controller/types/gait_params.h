@@ -123,7 +123,7 @@ struct EnumNames<SwayMode> {
 /// reference the capture point is off by nothing as long as nobody pushes.
 struct ComSway {
   SwayMode mode{SwayMode::kShare};
-  double share{0.0};  ///< Of SwayMode::kShare; 1: over the standing foot.
+  double share{0.0};  ///< 1: over the standing foot. Of a pendulum the most, unless it is 0.
 };
 
 /// How the nominal path follows a robot that was pushed off it.
@@ -153,9 +153,11 @@ struct PlannerParams {
           "largest drift back to the path in one step, once off it");
     visit("min_step_width_m", self.min_step_width_m, Range{0.0, 1.0},
           "of two feet: least distance along y that a step adjustment may leave");
-    visit("sway", self.sway.mode,
-          "how far the CoM reference goes to the side: share: as com_sway has it; pendulum: as a "
-          "linear pendulum that steps as the gait does");
+    visit(
+        "sway", self.sway.mode,
+        "how far the CoM reference goes to the side: share: as com_sway has it; pendulum: as a "
+        "linear pendulum that steps as the gait does, and no farther than com_sway unless that is "
+        "0");
     visit("com_sway", self.sway.share, Range{0.0, 1.0},
           "where the CoM reference is in the middle of a swing: this share of the way from the "
           "path to the standing foot (0, as in the paper: on the path)");

@@ -74,7 +74,8 @@ TEST(TorqueTest, IcubThatNothingPushesStepsByTheClockToTheLastBit) {
 }
 
 TEST(TorqueTest, IcubFallsUnderTheSameShoveWhenItMayNotMoveItsSteps) {
-  const ClosedLoopRun run("icub_walk_fast", ShovedInPlace({"control.mpc.box_lower_m=[0, 0, 0]",
+  const ClosedLoopRun run("icub_walk_fast", ShovedInPlace({"control.planner.timing.error_m=0",
+                                                           "control.mpc.box_lower_m=[0, 0, 0]",
                                                            "control.mpc.box_upper_m=[0, 0, 0]"}));
   EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }

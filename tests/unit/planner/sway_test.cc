@@ -64,6 +64,16 @@ TEST(SwayOfShareTest, IsTheShareAndNothingElse) {
   EXPECT_EQ(sway.turn_back_mps2_m, 0.0);
 }
 
+// In a second on each foot and one on both the pendulum goes nearly all the way.
+TEST(SwayOfPendulumTest, GoesNoFartherThanItIsAsked) {
+  EXPECT_GT(SwayOf(kPendulum, Walk(1.0, 1.0), kHeight_m).share, 0.8);
+  const Sway sway = SwayOf({SwayMode::kPendulum, 0.8}, Walk(1.0, 1.0), kHeight_m);
+  EXPECT_EQ(sway.share, 0.8);
+  EXPECT_EQ(sway.haste, 1.0);
+  EXPECT_EQ(SwayOf({SwayMode::kPendulum, 0.8}, Walk(0.3, 0.05), kHeight_m).share,
+            SwayOf(kPendulum, Walk(0.3, 0.05), kHeight_m).share);
+}
+
 // The capture point of the reference is that of the pendulum: in mid-swing, and while it crosses.
 TEST(SwayReferenceTest, AWalksReferenceTurnsAndCrossesLikeThePendulum) {
   const GaitParams walk = Walk(0.3, 0.05);
