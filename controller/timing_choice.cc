@@ -8,8 +8,6 @@
 namespace sidestep {
 namespace {
 
-constexpr std::size_t kManyCandidates = 64;  // more than feet that land within 5 s have
-
 TimingLimits LimitsOf(const TimingParams& params, const MpcParams& mpc, double tick_s) {
   return {TickAt(mpc.step_s, tick_s), TickAt(params.least_swing_s, tick_s),
           TickAt(params.least_rest_s, tick_s), TickAt(params.least_support_s, tick_s)};
@@ -30,14 +28,13 @@ std::optional<GaitSupport> TimingChoice::Choose(const RobotState& state, const G
                                                 const Eigen::Vector3d& momentum, Tick tick,
                                                 mpc::CentroidalMpc* mpc) {
   if (params_.error_m == 0.0) return std::nullopt;
-  candidates_.reserve(kManyCandidates);
-  planner.LayOut(planner.support(), &schedule_);  // takes its memory before the first push
-  GaitPlanner::TakePlan(planner.support(), schedule_, &plan_);
+  if (candidates_.capacity() == 0) TakeMemory(planner);
   if (!mpc->has_plan() || !alarm_.Update(state, mpc->ComAt(tick), tick)) return std::nullopt;
   if (ErrorOf(state, planner, tick) < params_.error_m) return std::nullopt;
   ListTimingCandidates(planner.setup(), planner.support(), tick, limits_, &candidates_);
   if (candidates_.empty()) return std::nullopt;
-  double least = (1.0 - params_.gain) * CostOf(state, schedule_, plan_, momentum, tick, mpc);
+  double least =
+      (1.0 - params_.gain) * CostOf(state, planner.schedule(), planner.plan(), momentum, tick, mpc);
   std::optional<GaitSupport> chosen;
   for (const GaitSupport& candidate : candidates_) {
     planner.LayOut(candidate, &schedule_);
@@ -48,6 +45,12 @@ std::optional<GaitSupport> TimingChoice::Choose(const RobotState& state, const G
     chosen = candidate;
   }
   return chosen;
+}
+
+void TimingChoice::TakeMemory(const GaitPlanner& planner) {
+  candidates_.reserve(MostTimingCandidates(planner.setup(), limits_));
+  planner.LayOut(planner.support(), &schedule_);
+  GaitPlanner::TakePlan(planner.support(), schedule_, &plan_);
 }
 
 double TimingChoice::ErrorOf(const RobotState& state, const GaitPlanner& planner, Tick tick) const {

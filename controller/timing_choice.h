@@ -34,6 +34,8 @@ class TimingChoice {
                                     mpc::CentroidalMpc* mpc);
 
  private:
+  /// Before the first push, all that courses need.
+  void TakeMemory(const GaitPlanner& planner);
   /// How far (m) the capture point is off.
   double ErrorOf(const RobotState& state, const GaitPlanner& planner, Tick tick) const;
   double CostOf(const RobotState& state, const ContactSchedule& schedule, const ContactPlan& plan,

@@ -17,10 +17,7 @@ CentroidalMpc::CentroidalMpc(const MpcParams& params, const RobotModel& robot, d
 
 void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
                           const GridReferences& references, Tick tick) {
-  builder_.Build(state, plan, references, tick);
-  CentroidalOcp& ocp = builder_.ocp();
-  SetPreviousForces(&ocp, tick);
-  const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp));
+  const MpcSolution& solution = SolutionOf(state, plan, references, tick);
   report_ = {true,
              solution.status,
              solution.iterations,
@@ -28,16 +25,21 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
              solution.constraint_violation,
              solution.kkt_error,
              !IsUsable(solution.status)};
-  if (IsUsable(solution.status)) StorePlan(ocp, solution);
+  if (IsUsable(solution.status)) StorePlan(builder_.ocp(), solution);
 }
 
 double CentroidalMpc::CostOf(const RobotState& state, const ContactPlan& plan,
                              const GridReferences& references, Tick tick) {
+  const MpcSolution& solution = SolutionOf(state, plan, references, tick);
+  return IsUsable(solution.status) ? solution.cost : std::numeric_limits<double>::infinity();
+}
+
+const MpcSolution& CentroidalMpc::SolutionOf(const RobotState& state, const ContactPlan& plan,
+                                             const GridReferences& references, Tick tick) {
   builder_.Build(state, plan, references, tick);
   CentroidalOcp& ocp = builder_.ocp();
   SetPreviousForces(&ocp, tick);
-  const MpcSolution& solution = solver_->Solve(ocp, WarmStart(ocp));
-  return IsUsable(solution.status) ? solution.cost : std::numeric_limits<double>::infinity();
+  return solver_->Solve(ocp, WarmStart(ocp));
 }
 
 bool CentroidalMpc::Activate(Tick tick) {

@@ -67,6 +67,10 @@ class CentroidalMpc {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+  /// Poses the problem and solves it from the newest usable solution on. The solver's until it
+  /// solves again.
+  const MpcSolution& SolutionOf(const RobotState& state, const ContactPlan& plan,
+                                const GridReferences& references, Tick tick);
   /// Input of `plan` that is on at `tick`, the last one once the plan has run out.
   static int InputAt(const Plan& plan, Tick tick);
   /// The newest usable solution shifted by whole knots to those of the last problem, `ocp`; null if

@@ -191,7 +191,7 @@ void GaitWriter::AddSwayKnot(Tick tick, int stance, const GaitParams& gait, cons
   const double aside_m = foot_y_m - path_y_m;
   AddKnot({.tick = tick,
            .p_WC = {x_m, path_y_m + sway.share * aside_m, setup_.geometry.com_height_m},
-           .a_WC = {0.0, -sway.turn_back_mps2_m * aside_m, 0.0}});
+           .a_WC = {0.0, -sway.turn_back_per_s2 * aside_m, 0.0}});
 }
 
 void GaitWriter::AddBounceKnots(int foot, Tick lift_off, const GaitParams& gait) {

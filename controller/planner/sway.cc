@@ -25,7 +25,7 @@ Sway SwayOf(const ComSway& asked, const GaitParams& gait, double height_m) {
   if (asked.share > 0.0 && sway.share > asked.share) return {asked.share};
   const double crossing_per_s = 2.0 / support_s * (1.0 - std::cosh(half_swing) / most);
   sway.haste = crossing_per_s * (gait.swing_s + support_s) / (2.0 * sway.share);
-  sway.turn_back_mps2_m = rate_per_s * rate_per_s * (1.0 - sway.share);
+  sway.turn_back_per_s2 = rate_per_s * rate_per_s * (1.0 - sway.share);
   return sway;
 }
 

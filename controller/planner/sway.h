@@ -15,7 +15,7 @@ namespace sidestep {
 struct Sway {
   double share{0.0};             ///< Of the way from the path to the standing foot, in mid-swing.
   double haste{1.0};             ///< Crossing the path: speed over the mean from side to side.
-  double turn_back_mps2_m{0.0};  ///< Acceleration in mid-swing per metre from the path to the foot.
+  double turn_back_per_s2{0.0};  ///< Acceleration in mid-swing per metre from the path to the foot.
 };
 
 /// Of a walk of these times by a robot whose CoM is `height_m` above the ground. A slow walk's

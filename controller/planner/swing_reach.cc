@@ -38,6 +38,7 @@ void Narrow(const MovingFoot& foot, double time_s, const SwingLimits& limits,
 
 void KeepWithinSwing(const std::vector<MovingFoot>& feet, const SwingLimits& limits, Tick tick,
                      double tick_s, ContactSchedule* schedule) {
+  if (limits.speed_mps == 0.0 && limits.acceleration_mps2 == 0.0) return;
   for (std::size_t foot = 0; foot < schedule->feet.size(); ++foot) {
     auto& contacts = schedule->feet[foot];
     PlannedContact& first = contacts.front().contact;

@@ -101,6 +101,17 @@ void ListLandings(const GaitSetup& setup, const GaitSupport& support, Tick now,
 
 }  // namespace
 
+// Each landing by the clock or sooner: as it is, followed by the other foot, followed by itself.
+std::size_t MostTimingCandidates(const GaitSetup& setup, const TimingLimits& limits) {
+  constexpr Tick kCoursesALanding = 3, kLiftOffs = 4;
+  Tick longest = limits.least_swing;
+  for (const GaitParams& gait : setup.segments) {
+    longest = std::max(longest, TickAt(gait.swing_s, setup.tick_s));
+  }
+  return static_cast<std::size_t>(
+      std::max(kLiftOffs, kCoursesALanding * (longest / limits.step + 1)));
+}
+
 void ListTimingCandidates(const GaitSetup& setup, const GaitSupport& support, Tick now,
                           const TimingLimits& limits, std::vector<GaitSupport>* candidates) {
   candidates->clear();

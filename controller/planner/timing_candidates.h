@@ -10,6 +10,7 @@
 // helps nothing. One that stands may begin to step. Each choice is an edit of the gait
 // (schedule_edits.h), to be weighed by the MPC.
 
+#include <cstddef>
 #include <vector>
 
 #include "controller/planner/gait_setup.h"
@@ -30,5 +31,8 @@ struct TimingLimits {
 /// least one foot stands throughout.
 void ListTimingCandidates(const GaitSetup& setup, const GaitSupport& support, Tick now,
                           const TimingLimits& limits, std::vector<GaitSupport>* candidates);
+
+/// No more candidates than this are ever listed.
+std::size_t MostTimingCandidates(const GaitSetup& setup, const TimingLimits& limits);
 
 }  // namespace sidestep

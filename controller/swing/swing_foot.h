@@ -5,10 +5,10 @@
 // Every tick joins the reference as it is (position, velocity, acceleration) to the foothold wanted
 // now by a quintic; with an unchanged foothold that is the same curve, with a new one acceleration
 // stays continuous. Height goes over an apex at half the swing (a lower one if there is no time for
-// it, and arrives with a small downward
-// speed, so that a floor a little lower than believed is still found. One that is late searches on
-// downwards, faster and faster if it is told to, to a stated depth. One that leaves a place lower
-// than its next one rises to that height first: what it stood in has a wall.
+// it) and arrives with a small downward speed, so that a floor a little lower than believed is
+// still found. One that is late searches on downwards, faster and faster if it is told to, to a
+// stated depth. One that leaves a place lower than its next one rises to that height first: what it
+// stood in has a wall.
 
 #include <Eigen/Core>
 

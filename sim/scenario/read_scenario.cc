@@ -52,8 +52,9 @@ void ReadRobotControl(const std::filesystem::path& robot_file,
   ControlParams asked;
   asked.mode = control->mode;
   if (scenario) ReadFields(*scenario, asked);
-  if (asked.mode != ControlMode::kTorque) return;
-  if (const auto defaults = map.Optional("control_torque")) ReadFields(*defaults, *control);
+  ControlParams on_torques = *control;  // read in any mode: a mistake in it is one
+  if (const auto defaults = map.Optional("control_torque")) ReadFields(*defaults, on_torques);
+  if (asked.mode == ControlMode::kTorque) *control = on_torques;
 }
 
 void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,

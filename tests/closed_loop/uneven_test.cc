@@ -35,9 +35,9 @@ TEST(UnevenTest, WalksOverHolesAsDeepAsItSearches) {
     const ClosedLoopRun run("biped_walk_drop", {Height(height_m)});
     EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << height_m << run.Describe();
   }
-  // At its full depth it leans by 0.13 rad, more than the scenario's 2 cm ask for.
+  // At its full depth it leans by 0.12 rad, more than the scenario's 2 cm ask for.
   const ClosedLoopRun deepest("biped_walk_drop",
-                              {Height("-0.06"), "expect.max_tilt_rad={max: 0.15}"});
+                              {Height("-0.06"), "expect.max_tilt_rad={max: 0.13}"});
   EXPECT_EQ(deepest.verdict.verdict_class, VerdictClass::kPass) << deepest.Describe();
 }
 
@@ -49,8 +49,8 @@ TEST(UnevenTest, FallsOverAHoleOfFourCentimetresThatItSearchesAtLandingSpeed) {
 }
 
 TEST(UnevenTest, WalksOverAStepThatItsFeetAreLiftedOver) {
-  // The step up comes early and the next one late: 2.42 Hz instead of 2.5.
-  const std::string frequency = "expect.step_frequency_hz={min: 2.35, max: 2.55}";
+  // The step up comes early and the next one late: 2.43 and 2.40 Hz instead of 2.5.
+  const std::string frequency = "expect.step_frequency_hz={min: 2.39, max: 2.55}";
   const ClosedLoopRun low("biped_walk_step", {Height("0.03"), frequency});
   EXPECT_EQ(low.verdict.verdict_class, VerdictClass::kPass) << low.Describe();
   const ClosedLoopRun high("biped_walk_step",
@@ -80,13 +80,13 @@ double LargestHeightError_m(const std::string& name, double duration_s,
   return error_m;
 }
 
-// Measured 4.2 mm and 3.6 mm over 2 cm, with a floor that is taken to lie within 5 mm; with 10 mm
+// Measured up to 3.8 mm over 2 cm, with a floor that is taken to lie within 5 mm; with 10 mm
 // 0.8 mm and 1.9 mm, but then a run's height drifts by 6 mm in 20 s.
 TEST(UnevenTest, LearnsHowHighItsFeetStand) {
   const std::string within_1_cm = "control.estimation.floor_noise_m=0.01";
   for (const char* name : {"biped_walk_drop", "biped_walk_step"}) {
     EXPECT_LT(LargestHeightError_m(name, 12.0, {within_1_cm}), 0.003) << name;
-    EXPECT_LT(LargestHeightError_m(name, 12.0), 0.006) << name;
+    EXPECT_LT(LargestHeightError_m(name, 12.0), 0.0045) << name;
   }
   EXPECT_GT(LargestHeightError_m("biped_walk_drop", 12.0, {"control.estimation.floor_noise_m=0"}),
             0.015)

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "controller/make_stages.h"
+#include "tests/unit/controller/two_soles.h"
 
 namespace sidestep::motion_chain_test {
 namespace {
@@ -19,16 +20,7 @@ ControllerSetup Walker() {
   ControllerSetup setup;
   setup.tick_s = kTick_s;
   setup.is_centroidal = true;
-  setup.robot.mass_kg = kMass_kg;
-  setup.robot.com_height_m = 0.5;
-  Eigen::Matrix3Xd corners_m(3, 4);
-  corners_m << 0.1, 0.1, -0.1, -0.1, 0.05, -0.05, -0.05, 0.05, 0, 0, 0, 0;
-  for (const char* name : {"left", "right"}) {
-    FootDescription foot;
-    foot.name = name;
-    foot.vertices_m = corners_m;
-    setup.robot.feet.push_back(foot);
-  }
+  setup.robot = TwoSoles(kMass_kg, 0.5);
   GaitParams walk;
   walk.type = GaitType::kWalk;
   walk.step_width_m = 0.2;

@@ -5,6 +5,7 @@
 
 #include "controller/make_stages.h"
 #include "controller/planner/gait_generator.h"
+#include "tests/unit/controller/two_soles.h"
 
 namespace sidestep::timing_choice_test {
 namespace {
@@ -14,22 +15,6 @@ constexpr double kMass_kg = 50.0;
 constexpr double kHeight_m = 0.55;
 // The left foot is in the air from 0.1 s to 0.5 s.
 constexpr Tick kInTheAir = 200, kLanding = 500;
-
-// A humanoid's feet on the spot: soles of 0.2 m x 0.1 m, 0.2 m apart.
-RobotDescription Robot() {
-  RobotDescription robot;
-  robot.mass_kg = kMass_kg;
-  robot.com_height_m = kHeight_m;
-  Eigen::Matrix3Xd corners_m(3, 4);
-  corners_m << 0.1, 0.1, -0.1, -0.1, 0.05, -0.05, -0.05, 0.05, 0, 0, 0, 0;
-  for (const char* name : {"left", "right"}) {
-    FootDescription foot;
-    foot.name = name;
-    foot.vertices_m = corners_m;
-    robot.feet.push_back(foot);
-  }
-  return robot;
-}
 
 MpcParams Mpc() {
   MpcParams params;
@@ -68,7 +53,7 @@ class TimingChoiceTest : public testing::Test {
   /// The course chosen at `tick` by a robot that is on its path and `push_mps` faster than it.
   std::optional<GaitSupport> Choose(Tick tick, const Eigen::Vector3d& push_mps) {
     GaitPlanner planner(Walk(), {}, 1600);
-    mpc::CentroidalMpc mpc(Mpc(), PlannedRobot(Robot(), kMass_kg), kTick_s);
+    mpc::CentroidalMpc mpc(Mpc(), PlannedRobot(TwoSoles(kMass_kg, kHeight_m), kMass_kg), kTick_s);
     TimingChoice choice(timing_, Mpc(), kHeight_m, kMass_kg, kTick_s);
     for (Tick now = 0; now <= tick; now += 50) {
       for (std::size_t foot = 0; foot < 2; ++foot) {

@@ -54,14 +54,14 @@ TEST_P(SwayTest, ThePendulumThatCrossesSoTurnsInMidSwing) {
   }
   EXPECT_NEAR(y, sway.share, 1e-4);
   EXPECT_NEAR(v, 0.0, 1e-3);
-  EXPECT_NEAR(sway.turn_back_mps2_m, square_per_s2 * (1.0 - y), 1e-2);
+  EXPECT_NEAR(sway.turn_back_per_s2, square_per_s2 * (1.0 - y), 1e-2);
 }
 
 TEST(SwayOfShareTest, IsTheShareAndNothingElse) {
   const Sway sway = SwayOf({SwayMode::kShare, 0.3}, Walk(0.4, 0.1), kHeight_m);
   EXPECT_EQ(sway.share, 0.3);
   EXPECT_EQ(sway.haste, 1.0);
-  EXPECT_EQ(sway.turn_back_mps2_m, 0.0);
+  EXPECT_EQ(sway.turn_back_per_s2, 0.0);
 }
 
 // In a second on each foot and one on both the pendulum goes nearly all the way.
@@ -86,7 +86,7 @@ TEST(SwayReferenceTest, AWalksReferenceTurnsAndCrossesLikeThePendulum) {
   const ComReference turns = NominalComAt(gait, 1400 + 25 + 175, kTick_s);
   EXPECT_NEAR(std::abs(turns.p_WC.y()), sway.share * half_m, 1e-9);
   EXPECT_NEAR(turns.v_WC.y(), 0.0, 1e-9);
-  EXPECT_NEAR(std::abs(turns.a_WC.y()), sway.turn_back_mps2_m * half_m, 1e-9);
+  EXPECT_NEAR(std::abs(turns.a_WC.y()), sway.turn_back_per_s2 * half_m, 1e-9);
   const ComReference crosses = NominalComAt(gait, 1400 + 25, kTick_s);
   EXPECT_NEAR(std::abs(crosses.v_WC.y()), sway.haste * 2.0 * sway.share * half_m / 0.35, 1e-9);
 }

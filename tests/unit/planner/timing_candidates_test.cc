@@ -60,6 +60,7 @@ bool AnySchedule(Tick now, Predicate&& predicate) {
 TEST(TimingCandidatesTest, AtEveryMomentTheyKeepWhatIsAndWhatFeetCanDo) {
   for (Tick now = 1001; now < 3000; now += 7) {
     const ContactSchedule original = ScheduleOf(SupportAt(kWalk, now), now);
+    ASSERT_LE(CandidatesAt(kWalk, now).size(), MostTimingCandidates(kWalk, kLimits)) << now;
     for (const GaitSupport& candidate : CandidatesAt(kWalk, now)) {
       const ContactSchedule schedule = ScheduleOf(candidate, now);
       for (std::size_t foot = 0; foot < 2; ++foot) {

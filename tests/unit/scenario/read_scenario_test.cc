@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/run_files.h"
 #include "tests/unit/scenario/scenario_fixture.h"
 
 namespace sidestep::read_scenario_test {
@@ -188,6 +189,18 @@ TEST_F(RobotsControlTest, TorqueModeHasItsOwnDefaultsOnTop) {
 
 TEST_F(RobotsControlTest, WithoutTorquesTheyDoNotCount) {
   EXPECT_EQ(ReadControl("control: {mode: passive}\n").mpc.friction, 0.3);
+}
+
+TEST_F(RobotsControlTest, AMistakeInThemIsToldInAnyMode) {
+  const std::filesystem::path robot = folder_.path() / "mini/robot.yaml";
+  std::string text = TextOf(robot);
+  text.replace(text.find("friction: 0.5"), 13, "fiction: 0.5");
+  std::ofstream(robot) << text;
+  const std::string error = ErrorIn(
+      "sidestep: 1\nname: a\nrobot: mini/robot.yaml\nduration_s: 1\n"
+      "control: {mode: passive}\n");
+  EXPECT_NE(error.find("control_torque.mpc.fiction is not a known key"), std::string::npos)
+      << error;
 }
 
 TEST_F(RobotsControlTest, TheScenariosWordIsTheLast) {
