@@ -2,6 +2,7 @@
 #include "controller/timing_choice.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "controller/planner/capture_point.h"
 
@@ -33,13 +34,14 @@ std::optional<GaitSupport> TimingChoice::Choose(const RobotState& state, const G
   if (ErrorOf(state, planner, tick) < params_.error_m) return std::nullopt;
   ListTimingCandidates(planner.setup(), planner.support(), tick, limits_, &candidates_);
   if (candidates_.empty()) return std::nullopt;
-  double least =
-      (1.0 - params_.gain) * CostOf(state, planner.schedule(), planner.plan(), momentum, tick, mpc);
+  constexpr double kAnyCost = std::numeric_limits<double>::infinity();
+  double least = (1.0 - params_.gain) *
+                 CostOf(state, planner.schedule(), planner.plan(), momentum, tick, kAnyCost, mpc);
   std::optional<GaitSupport> chosen;
   for (const GaitSupport& candidate : candidates_) {
     planner.LayOut(candidate, &schedule_);
     GaitPlanner::TakePlan(candidate, schedule_, &plan_);
-    const double cost = CostOf(state, schedule_, plan_, momentum, tick, mpc);
+    const double cost = CostOf(state, schedule_, plan_, momentum, tick, least, mpc);
     if (cost >= least) continue;
     least = cost;
     chosen = candidate;
@@ -60,9 +62,9 @@ double TimingChoice::ErrorOf(const RobotState& state, const GaitPlanner& planner
 
 double TimingChoice::CostOf(const RobotState& state, const ContactSchedule& schedule,
                             const ContactPlan& plan, const Eigen::Vector3d& momentum, Tick tick,
-                            mpc::CentroidalMpc* mpc) {
+                            double ceiling, mpc::CentroidalMpc* mpc) {
   SampleReferences(schedule, mpc->GridAt(plan, tick), momentum, mpc_params_, tick_s_, &references_);
-  return mpc->CostOf(state, plan, references_, tick);
+  return mpc->CostOf(state, plan, references_, tick, ceiling);
 }
 
 }  // namespace sidestep

@@ -38,8 +38,10 @@ class TimingChoice {
   void TakeMemory(const GaitPlanner& planner);
   /// How far (m) the capture point is off.
   double ErrorOf(const RobotState& state, const GaitPlanner& planner, Tick tick) const;
+  /// What the MPC makes of a course, as CentroidalMpc::CostOf() has it.
   double CostOf(const RobotState& state, const ContactSchedule& schedule, const ContactPlan& plan,
-                const Eigen::Vector3d& momentum, Tick tick, mpc::CentroidalMpc* mpc);
+                const Eigen::Vector3d& momentum, Tick tick, double ceiling,
+                mpc::CentroidalMpc* mpc);
 
   TimingParams params_;
   MpcParams mpc_params_;

@@ -2,7 +2,6 @@
 #include "controller/mpc/centroidal_mpc.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
@@ -17,7 +16,8 @@ CentroidalMpc::CentroidalMpc(const MpcParams& params, const RobotModel& robot, d
 
 void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
                           const GridReferences& references, Tick tick) {
-  const MpcSolution& solution = SolutionOf(state, plan, references, tick);
+  const MpcSolution* guess = Pose(state, plan, references, tick);
+  const MpcSolution& solution = solver_->Solve(builder_.ocp(), guess);
   report_ = {true,
              solution.status,
              solution.iterations,
@@ -29,17 +29,16 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
 }
 
 double CentroidalMpc::CostOf(const RobotState& state, const ContactPlan& plan,
-                             const GridReferences& references, Tick tick) {
-  const MpcSolution& solution = SolutionOf(state, plan, references, tick);
-  return IsUsable(solution.status) ? solution.cost : std::numeric_limits<double>::infinity();
+                             const GridReferences& references, Tick tick, double ceiling) {
+  const MpcSolution* guess = Pose(state, plan, references, tick);
+  return solver_->Weigh(builder_.ocp(), guess, ceiling);
 }
 
-const MpcSolution& CentroidalMpc::SolutionOf(const RobotState& state, const ContactPlan& plan,
-                                             const GridReferences& references, Tick tick) {
+const MpcSolution* CentroidalMpc::Pose(const RobotState& state, const ContactPlan& plan,
+                                       const GridReferences& references, Tick tick) {
   builder_.Build(state, plan, references, tick);
-  CentroidalOcp& ocp = builder_.ocp();
-  SetPreviousForces(&ocp, tick);
-  return solver_->Solve(ocp, WarmStart(ocp));
+  SetPreviousForces(&builder_.ocp(), tick);
+  return WarmStart(builder_.ocp());
 }
 
 bool CentroidalMpc::Activate(Tick tick) {

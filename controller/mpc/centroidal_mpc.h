@@ -26,9 +26,9 @@ class CentroidalMpc {
   void Solve(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
              Tick tick);
 
-  /// The cost of what Solve() would find; infinite if it finds nothing. Changes no plan.
+  /// The cost of what Solve() would find, as CentroidalSolver::Weigh() has it. Changes no plan.
   double CostOf(const RobotState& state, const ContactPlan& plan, const GridReferences& references,
-                Tick tick);
+                Tick tick, double ceiling);
 
   /// Makes a solution the plan in use once it is latency_s old, however many were made meanwhile.
   /// Call every tick; returns true when the plan changed, and footholds() with it.
@@ -67,10 +67,9 @@ class CentroidalMpc {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  /// Poses the problem and solves it from the newest usable solution on. The solver's until it
-  /// solves again.
-  const MpcSolution& SolutionOf(const RobotState& state, const ContactPlan& plan,
-                                const GridReferences& references, Tick tick);
+  /// Poses the problem in the builder. @return  Where to begin, as WarmStart().
+  const MpcSolution* Pose(const RobotState& state, const ContactPlan& plan,
+                          const GridReferences& references, Tick tick);
   /// Input of `plan` that is on at `tick`, the last one once the plan has run out.
   static int InputAt(const Plan& plan, Tick tick);
   /// The newest usable solution shifted by whole knots to those of the last problem, `ocp`; null if

@@ -5,6 +5,7 @@
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
 #include <exception>
+#include <limits>
 
 #include "controller/mpc/ipopt/centroidal_nlp.h"
 #include "controller/mpc/ipopt/nlp_points.h"
@@ -129,6 +130,7 @@ class IpoptSolver final : public CentroidalSolver {
   }
 
   const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) override;
+  double Weigh(const CentroidalOcp& ocp, const MpcSolution* guess, double ceiling) override;
   std::unique_ptr<CentroidalSolver> Clone() const override {
     return std::make_unique<IpoptSolver>(options_);
   }
@@ -168,6 +170,13 @@ const MpcSolution& IpoptSolver::Solve(const CentroidalOcp& ocp, const MpcSolutio
   PackPoint(ocp, adapter_->nlp.layout(), is_warm ? *guess : start_, &adapter_->x);
   Optimise(ocp, is_warm);
   return solution_;
+}
+
+double IpoptSolver::Weigh(const CentroidalOcp& ocp, const MpcSolution* guess, double ceiling) {
+  const MpcSolution& solution = Solve(ocp, guess);
+  return IsUsable(solution.status) && solution.cost <= ceiling
+             ? solution.cost
+             : std::numeric_limits<double>::infinity();
 }
 
 void IpoptSolver::Optimise(const CentroidalOcp& ocp, bool is_warm) {

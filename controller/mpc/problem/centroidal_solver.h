@@ -27,6 +27,10 @@ class CentroidalSolver {
   /// The reference stays valid until the next call. Never throws on a hard problem.
   virtual const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) = 0;
 
+  /// The cost of what Solve() would find, for a choice among problems: to about a thousandth, and
+  /// infinite if it seems dearer than `ceiling` or nothing is found. Solve()'s answer is lost.
+  virtual double Weigh(const CentroidalOcp& ocp, const MpcSolution* guess, double ceiling) = 0;
+
   /// A solver with the same options, which answers every problem bit for bit as this one does. It
   /// shares nothing with this one, and its memory grows anew.
   virtual std::unique_ptr<CentroidalSolver> Clone() const = 0;

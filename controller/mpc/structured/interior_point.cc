@@ -19,6 +19,12 @@ constexpr double kPush = 1e-2;        // m/s^2 or m: a start's distance from its
 constexpr double kLeastSlack = 1e-8;  // m/s^2, after a recovery.
 constexpr int kMaxRecoveries = 8;
 constexpr int kMaxAdaptive = 60;  // Iterations before the barrier falls monotonically.
+// When only the cost is asked for: how well the dynamics are kept, and the share of the cost that
+// the bounds' products may still take from it. A cost that, less these products, is above the
+// ceiling so often in a row is taken for too dear.
+constexpr double kRoughInfeasibility = 1e-3;
+constexpr double kRoughShare = 1e-3;
+constexpr int kDearIterations = 2;
 
 // As in Waechter & Biegler, "On the implementation of an interior-point filter line-search
 // algorithm for large-scale nonlinear programming", 2006, with their letters.
@@ -55,6 +61,8 @@ class Minimizer {
 
  private:
   double KktError(double barrier) const;
+  bool IsRoughlySolved() const;
+  bool IsTooDear();
   void LowerBarrier();
   bool FindDirection();
   bool FactorizeShifted();
@@ -78,6 +86,7 @@ class Minimizer {
   double fraction_{kLeastFraction};
   double first_infeasibility_{1.0};
   int num_recoveries_{0};
+  int num_dear_{0};
   bool is_adaptive_{true};
 };
 
@@ -96,6 +105,19 @@ double Minimizer::KktError(double barrier) const {
       num_bounds == 0 ? 0.0
                       : Max(Abs(at.largest_product - barrier), Abs(at.smallest_product - barrier));
   return Max(Max(at.dual / dual_scale, work_.now.largest_residual), product / product_scale);
+}
+
+bool Minimizer::IsRoughlySolved() const {
+  return settings_.is_rough && work_.now.infeasibility <= kRoughInfeasibility &&
+         work_.linear.gap_products <= kRoughShare * work_.now.cost;
+}
+
+// Of a convex problem at feasible points the cost less the products is what it can't fall below.
+// Warm starts begin below the optimum, with gaps in the dynamics, and the cost rises as they close.
+bool Minimizer::IsTooDear() {
+  const bool is_dear = work_.now.cost - work_.linear.gap_products > settings_.ceiling;
+  num_dear_ = is_dear ? num_dear_ + 1 : 0;
+  return num_dear_ >= kDearIterations;
 }
 
 void Minimizer::ResetFilter() { filter_.Reset(kFilterTop * Max(1.0, first_infeasibility_)); }
@@ -247,8 +269,12 @@ Summary Minimizer::Run() {
   for (;; ++summary.iterations) {
     summary.kkt_error = KktError(0.0);
     summary.cost = work_.now.cost;
-    if (summary.kkt_error <= settings_.tolerance) {
+    if (summary.kkt_error <= settings_.tolerance || IsRoughlySolved()) {
       summary.outcome = Outcome::kSolved;
+      return summary;
+    }
+    if (IsTooDear()) {
+      summary.outcome = Outcome::kTooDear;
       return summary;
     }
     if (summary.iterations == settings_.max_iterations) {

@@ -10,10 +10,12 @@
 
 namespace sidestep::mpc::structured {
 
-enum class Outcome { kSolved, kAcceptable, kIterationLimit, kStuck };
+enum class Outcome { kSolved, kAcceptable, kIterationLimit, kStuck, kTooDear };
 
 struct Settings {
   double tolerance{1e-8};
+  bool is_rough{false};  ///< The cost alone is asked for, and not to more than a thousandth.
+  double ceiling{__builtin_inf()};  ///< Costs above it need not be found out.
   int max_iterations{200};
   bool is_warm{false};     ///< The start is a guess, not a cold start.
   bool is_adaptive{true};  ///< Predictor and corrector instead of a monotone barrier.

@@ -2,6 +2,7 @@
 #include "controller/mpc/structured/structured_solver.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "controller/mpc/problem/solution_shape.h"
@@ -18,18 +19,24 @@ namespace {
 using structured::Outcome;
 using structured::ProblemView;
 
+constexpr int kMaxWarmIterations = 50;    // Then a cold start; good guesses take up to 15.
+constexpr double kForceTolerance = 1e-9;  // Relative: below what the optimum is compared at.
+
 class StructuredSolver final : public CentroidalSolver {
  public:
   explicit StructuredSolver(const SolverOptions& options) : options_(options) {}
 
   const MpcSolution& Solve(const CentroidalOcp& ocp, const MpcSolution* guess) override;
+  double Weigh(const CentroidalOcp& ocp, const MpcSolution* guess, double ceiling) override;
   std::unique_ptr<CentroidalSolver> Clone() const override {
     return std::make_unique<StructuredSolver>(options_);
   }
 
  private:
-  structured::Summary Minimize(const CentroidalOcp& ocp, const MpcSolution& start, bool is_warm,
-                               int max_iterations);
+  structured::Settings SettingsOf(bool is_warm, int max_iterations) const;
+  structured::Summary Minimize(const CentroidalOcp& ocp, const MpcSolution& start,
+                               const structured::Settings& settings);
+  int WarmIterations() const { return std::min(options_.max_iterations, kMaxWarmIterations); }
   void Optimise(const CentroidalOcp& ocp, const MpcSolution* guess);
   void Report(const CentroidalOcp& ocp, const structured::Summary& summary);
 
@@ -41,8 +48,9 @@ class StructuredSolver final : public CentroidalSolver {
   MpcSolution solution_;
 };
 
-constexpr int kMaxWarmIterations = 50;    // Then a cold start; good guesses take up to 15.
-constexpr double kForceTolerance = 1e-9;  // Relative: below what the optimum is compared at.
+bool IsDone(const structured::Summary& summary) {
+  return summary.outcome == Outcome::kSolved || summary.outcome == Outcome::kAcceptable;
+}
 
 bool HasActiveContact(const CentroidalOcp& ocp) {
   return std::any_of(ocp.contacts.begin(), ocp.contacts.end(), [&](const OcpContact& contact) {
@@ -79,12 +87,33 @@ const MpcSolution& StructuredSolver::Solve(const CentroidalOcp& ocp, const MpcSo
   return solution_;
 }
 
-structured::Summary StructuredSolver::Minimize(const CentroidalOcp& ocp, const MpcSolution& start,
-                                               bool is_warm, int max_iterations) {
+double StructuredSolver::Weigh(const CentroidalOcp& ocp, const MpcSolution* guess, double ceiling) {
+  CheckShapes(ocp);
+  SIDESTEP_REQUIRE(guess == nullptr || HasShape(ocp, *guess), "a guess of other shapes");
+  if (!IsFinite(ocp) || IsInfeasible(ocp)) return std::numeric_limits<double>::infinity();
+  const bool is_warm = guess != nullptr && IsFinite(*guess);
+  if (!is_warm) ColdStart(ocp, &start_);
+  problem_.Build(ocp);
+  memory_.Take(problem_.view(), &workspace_);
+  structured::Settings settings =
+      SettingsOf(is_warm, is_warm ? WarmIterations() : options_.max_iterations);
+  settings.is_rough = true;
+  settings.ceiling = ceiling;
+  const structured::Summary summary = Minimize(ocp, is_warm ? *guess : start_, settings);
+  return IsDone(summary) && summary.cost <= ceiling ? summary.cost
+                                                    : std::numeric_limits<double>::infinity();
+}
+
+structured::Settings StructuredSolver::SettingsOf(bool is_warm, int max_iterations) const {
   structured::Settings settings;
   settings.tolerance = options_.tolerance;
   settings.max_iterations = max_iterations;
   settings.is_warm = is_warm;
+  return settings;
+}
+
+structured::Summary StructuredSolver::Minimize(const CentroidalOcp& ocp, const MpcSolution& start,
+                                               const structured::Settings& settings) {
   problem_.Pack(ocp, start, workspace_.point);
   return structured::Minimize(problem_.view(), settings, &workspace_);
 }
@@ -94,16 +123,14 @@ void StructuredSolver::Optimise(const CentroidalOcp& ocp, const MpcSolution* gue
   memory_.Take(problem_.view(), &workspace_);
   structured::Summary summary;
   if (guess != nullptr) {
-    summary = Minimize(ocp, *guess, true, std::min(options_.max_iterations, kMaxWarmIterations));
+    summary = Minimize(ocp, *guess, SettingsOf(true, WarmIterations()));
   }
   // A guess that leads nowhere is worse than none.
-  const bool is_done = summary.outcome == Outcome::kSolved ||
-                       summary.outcome == Outcome::kAcceptable ||
-                       summary.iterations >= options_.max_iterations;
+  const bool is_done = IsDone(summary) || summary.iterations >= options_.max_iterations;
   if (guess == nullptr || !is_done) {
     const int spent = summary.iterations;
     ColdStart(ocp, &start_);
-    summary = Minimize(ocp, start_, false, options_.max_iterations - spent);
+    summary = Minimize(ocp, start_, SettingsOf(false, options_.max_iterations - spent));
     summary.iterations += spent;
   }
   Report(ocp, summary);
@@ -131,6 +158,7 @@ void StructuredSolver::Report(const CentroidalOcp& ocp, const structured::Summar
       solution_.status = SolveStatus::kIterationLimit;
       break;
     case Outcome::kStuck:
+    case Outcome::kTooDear:
       solution_.status = SolveStatus::kNumericalError;
       break;
   }
