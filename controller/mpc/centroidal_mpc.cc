@@ -2,6 +2,7 @@
 #include "controller/mpc/centroidal_mpc.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "controller/mpc/make_solver.h"
 #include "controller/mpc/shifted_guess.h"
@@ -11,6 +12,7 @@ namespace sidestep::mpc {
 CentroidalMpc::CentroidalMpc(const MpcParams& params, const RobotModel& robot, double tick_s)
     : tick_s_(tick_s),
       latency_ticks_(TickAt(params.latency_s, tick_s)),
+      plan_memory_s_(params.plan_memory_s),
       builder_(params, robot, tick_s),
       solver_(MakeSolver(params.backend, {params.tolerance, params.max_iterations})) {}
 
@@ -37,6 +39,7 @@ double CentroidalMpc::CostOf(const RobotState& state, const ContactPlan& plan,
 const MpcSolution* CentroidalMpc::Pose(const RobotState& state, const ContactPlan& plan,
                                        const GridReferences& references, Tick tick) {
   builder_.Build(state, plan, references, tick);
+  RememberVelocity(&builder_.ocp(), tick);
   SetPreviousForces(&builder_.ocp(), tick);
   return WarmStart(builder_.ocp());
 }
@@ -91,6 +94,13 @@ const MpcSolution* CentroidalMpc::WarmStart(const CentroidalOcp& ocp) {
   if (shift >= ocp.knots) return nullptr;  // nothing of the old horizon is left
   ShiftedGuess(newest.ocp, newest.solution, shift, ocp, &guess_);
   return &guess_;
+}
+
+void CentroidalMpc::RememberVelocity(CentroidalOcp* ocp, Tick tick) const {
+  if (!has_plan() || plan_memory_s_ == 0.0) return;
+  const double remembered = std::exp(-Age_s(tick) / plan_memory_s_);
+  const Eigen::Vector3d planned = ocp->mass_kg * ComAt(tick).v_WC;
+  ocp->initial_linear_momentum += remembered * (planned - ocp->initial_linear_momentum);
 }
 
 // A foot that stands and stood when the plan in use was made has a force to change smoothly from.

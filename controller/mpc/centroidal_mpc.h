@@ -75,6 +75,9 @@ class CentroidalMpc {
   /// The newest usable solution shifted by whole knots to those of the last problem, `ocp`; null if
   /// nothing of it is left.
   const MpcSolution* WarmStart(const CentroidalOcp& ocp);
+  /// Lets the horizon begin between the velocity that the plan in use has now and the believed one,
+  /// the nearer to the latter the older the plan: MpcParams::plan_memory_s.
+  void RememberVelocity(CentroidalOcp* ocp, Tick tick) const;
   /// The plan's forces just before `tick`, for feet that stood then and stand now: the rate into
   /// the first knot is charged too.
   void SetPreviousForces(CentroidalOcp* ocp, Tick tick) const;
@@ -85,6 +88,7 @@ class CentroidalMpc {
 
   double tick_s_;
   Tick latency_ticks_;
+  double plan_memory_s_;
   ProblemBuilder builder_;
   ClonePtr<CentroidalSolver> solver_;
   std::deque<Plan> plans_;            // as many as are in use or waiting at once; never move

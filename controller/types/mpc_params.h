@@ -69,6 +69,9 @@ struct EnumNames<MpcBackend> {
 /// planned ones. external_wrench_hold_s counts only if ControlParams::external_wrench tells of
 /// pushes; a hold that ends between knots gives the last knot its share. Whoever feels a push does
 /// not know how long it will last: 0.15 s of decay serves a shove and a push of a second alike.
+/// plan_memory_s is for a robot that is told velocities and follows them with a lag: if every solve
+/// starts from the velocity that is measured, what was asked for and is still to come is forgotten,
+/// the more often the MPC solves the more of it.
 struct MpcParams {
   double rate_hz{10.0};  ///< Its period is whole control periods.
   int knots{15};         ///< Cost and memory grow in proportion.
@@ -85,6 +88,7 @@ struct MpcParams {
   double external_wrench_hold_s{0.1};
   double external_wrench_decay_s{0.0};  ///< A time constant: 1/e is left so long after the hold.
   double attitude_rate_radps{0.0};      ///< 0, as in the paper: no levelling.
+  double plan_memory_s{0.0};            ///< For joints that follow the plan late.
   MpcWeights weights;
 
   template <typename Self, typename Visitor>
@@ -113,6 +117,9 @@ struct MpcParams {
           "time constant with which it is assumed to fade after that (0: at once)");
     visit("attitude_rate_radps", self.attitude_rate_radps, Range{0.0, 100.0},
           "k of the angular momentum reference I k theta, which levels a base tilted by theta");
+    visit(
+        "plan_memory_s", self.plan_memory_s, Range{0.0, 10.0},
+        "time constant with which the plan's CoM velocity gives way to the belief's (0: at once)");
     visit("weights", self.weights,
           "weights of the tasks, world axes; momentum and force are divided by the mass");
   }

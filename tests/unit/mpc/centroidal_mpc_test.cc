@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sidestep::mpc::centroidal_mpc_test {
 namespace {
@@ -160,6 +161,28 @@ TEST_F(CentroidalMpcTest, PlanStartsAtTheBelief) {
   mpc.Activate(0);
   EXPECT_LT((mpc.ComAt(0).p_WC - state_.p_WC).norm(), kSolverTolerance);
   EXPECT_LT((mpc.ComAt(0).v_WC - state_.v_WC).norm(), kSolverTolerance);
+}
+
+// A robot whose velocity stays behind the plan's: what the next plan starts from is exp(-age /
+// memory) of the way from the belief to the plan, whatever the rate of the solves.
+TEST_F(CentroidalMpcTest, ANewPlanRemembersTheVelocityOfTheOld) {
+  MpcParams params = Params();
+  params.plan_memory_s = 0.1;
+  for (const Tick age : {10, 50, 100}) {
+    CentroidalMpc mpc(params, Hopper(), kTick_s);
+    Solve(&mpc, Hop(), 0);
+    mpc.Activate(0);
+    const Eigen::Vector3d planned = mpc.ComAt(age).v_WC;
+    const Eigen::Vector3d believed = state_.v_WC - Eigen::Vector3d(0.05, 0.02, 0.0);
+    RobotState late = state_;
+    late.v_WC = believed;
+    mpc.Solve(late, Hop(), references_, age);
+    mpc.Activate(age);
+    const double remembered = std::exp(-SecondsAt(age, kTick_s) / params.plan_memory_s);
+    const Eigen::Vector3d expected = believed + remembered * (planned - believed);
+    EXPECT_LT((mpc.ComAt(age).v_WC - expected).norm(), kSolverTolerance) << age;
+    EXPECT_LT((mpc.ComAt(age).p_WC - late.p_WC).norm(), kSolverTolerance) << "only velocity";
+  }
 }
 
 TEST_F(CentroidalMpcTest, ComAcceleratesByGravityAndThePlannedForces) {
