@@ -5,7 +5,10 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
+#include "models/support/config_error.h"
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
 #include "sim/scenario/apply_override.h"
@@ -106,11 +109,9 @@ class SectionReader {
   const RobotDescription* robot_;
 };
 
-}  // namespace
-
-Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                      const NoteSink& note) {
-  ConfigTree root = ReadConfigFile(file);
+/// `file` is empty of a scenario that has none.
+Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
+                  const std::vector<std::string>& overrides, const NoteSink& note) {
   ConfigMap map(root, "");
   RenameOldKeys(&root, note);
   for (const std::string& assignment : overrides) ApplyOverride(assignment, &root, note);
@@ -124,6 +125,41 @@ Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::
   map.RejectUnknownKeys();
   CheckScenario(scenario, root);
   return scenario;
+}
+
+}  // namespace
+
+Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                      const NoteSink& note) {
+  return ReadTree(ReadConfigFile(file), file, overrides, note);
+}
+
+Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string>& overrides,
+                         const NoteSink& note) {
+  const std::filesystem::path file = FindRobot(robot, "");
+  if (file.empty()) {
+    throw ConfigError(robot + ": error: is neither a robot that ships nor a robot.yaml; " +
+                      DidYouMean(robot, ShippedRobots(), "robots that ship"));
+  }
+  const RobotDescription description = ReadRobotDescription(file);
+  const ConfigSource source{robot, false};
+  ConfigTree root =
+      ParseConfig(std::string("{sidestep: 1, name: robot, robot: '', duration_s: 1") +
+                      ", plant: " + (description.model ? "mujoco" : "centroidal") +
+                      ", gait: {type: " + (description.feet.size() == 1 ? "hop" : "walk") + "}}",
+                  source);
+  root.children[2].scalar = robot;  // as it is: no YAML
+  return ReadTree(std::move(root), "", overrides, note);
+}
+
+bool IsRobotFile(const std::filesystem::path& word) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(word, ignored)) return false;
+  try {
+    return ReadConfigFile(word).Find("sidestep_robot") != nullptr;
+  } catch (const ConfigError&) {
+    return false;  // as a scenario it will be told what is wrong with it
+  }
 }
 
 }  // namespace sidestep

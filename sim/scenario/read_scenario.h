@@ -22,4 +22,18 @@ namespace sidestep {
 Scenario ReadScenario(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides = {}, const NoteSink& note = {});
 
+/// A scenario of a robot alone, which has no file: two feet walk in place, one hops, in the gait's
+/// defaults; on the centroidal plant, if the robot has no model.
+///
+/// @param robot      As a scenario's `robot` names it; a path is relative to the current folder.
+/// @param overrides  As above.
+/// @param note       As above.
+/// @throws ConfigError, as above.
+Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string>& overrides = {},
+                         const NoteSink& note = {});
+
+/// Whether `word` is the path of a robot.yaml: a YAML file with a key `sidestep_robot`. False of
+/// what can't be read.
+bool IsRobotFile(const std::filesystem::path& word);
+
 }  // namespace sidestep

@@ -48,6 +48,27 @@ TEST_F(ReadScenarioTest, FindsARobotByAPathFromTheScenario) {
   EXPECT_EQ(scenario.robot.file, FixtureRobots() / "mini/robot.yaml");
 }
 
+TEST_F(ReadScenarioTest, ARobotAloneWalksOrHopsInPlace) {
+  const Scenario hop = ScenarioOfRobot("mini", {"gait.stance_s=0.3"});
+  EXPECT_EQ(hop.gait[0].type, GaitType::kHop);
+  EXPECT_EQ(hop.gait[0].stance_s, 0.3);
+  EXPECT_EQ(hop.plant, Plant::kMujoco);
+  const Scenario walk = ScenarioOfRobot(FixtureRobots() / "walker/robot.yaml");
+  EXPECT_EQ(walk.gait[0].type, GaitType::kWalk);
+  EXPECT_EQ(walk.plant, Plant::kCentroidal);
+  EXPECT_EQ(folder_.ErrorOf([] { ScenarioOfRobot("mani"); }),
+            "mani: error: is neither a robot that ships nor a robot.yaml; did you mean 'mini'?");
+  EXPECT_EQ(folder_.ErrorOf([] { ScenarioOfRobot("mini", {"gait.sting_s=1"}); }).rfind("--set", 0),
+            0U);
+}
+
+TEST_F(ReadScenarioTest, KnowsARobotsFileFromAScenario) {
+  EXPECT_TRUE(IsRobotFile(FixtureRobots() / "mini/robot.yaml"));
+  EXPECT_FALSE(IsRobotFile(folder_.Write("a.yaml", valid_)));
+  EXPECT_FALSE(IsRobotFile(folder_.Write("b.yaml", "a: [\n")));
+  EXPECT_FALSE(IsRobotFile(folder_.path()));
+}
+
 TEST_F(ReadScenarioTest, File) {
   EXPECT_EQ(folder_.ErrorOf([&] { ReadScenario(folder_.path() / "none.yaml"); }),
             "none.yaml: error: can't be read: No such file or directory");
