@@ -67,6 +67,7 @@ int RunCommandLine(int argc, char** argv) {
   AddKeysCommand(app, exit_code);
   AddMetricsCommand(app, exit_code);
   AddSchemaCommand(app, exit_code);
+  AddLimitCommand(app, exit_code);
   AddSolveCommand(app, exit_code);
   app.footer("Exit codes: 0 pass, 1 verdict fail, 2 bad input or usage, 3 invalid run.");
   try {

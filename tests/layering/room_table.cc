@@ -68,6 +68,8 @@ std::vector<Room> SimRooms() {
       {"sim/record", kWorld + Folders{"sim/verdict"}},
       // A controller is what stands behind its door: the loop knows none of its parts.
       {"sim/episode", kWorld + kDoor + Folders{"sim/sensors", "sim/record", "sim/verdict"}},
+      // Physics of a robot and its gait; of the controller only its settings and its robot's legs.
+      {"sim/limit", kScenario + Folders{"controller/model"}},
       {"sim/process", kSupport},
       {"sim/render", kTools, true},
       {"sim/plot", kTools},
@@ -75,7 +77,7 @@ std::vector<Room> SimRooms() {
       {"sim/check", kTools},
       {"sim/apps/commands",
        kTools + Folders{"controller/mpc", "controller/mpc/problem", "sim/episode", "sim/render",
-                        "sim/plot", "sim/report", "sim/check"},
+                        "sim/plot", "sim/report", "sim/check", "sim/limit"},
        true},
       {"sim/apps", kSupport + Folders{"sim/episode/interrupt.h", "sim/apps/commands"}, true},
       // A program of a user's own, beside ours.

@@ -38,6 +38,9 @@ void AddKeysCommand(CLI::App& app, int& exit_code);
 void AddMetricsCommand(CLI::App& app, int& exit_code);
 void AddSchemaCommand(CLI::App& app, int& exit_code);
 
+/// `limit ROBOT|SCENARIO`: the pushes that a linear pendulum with its feet could survive.
+void AddLimitCommand(CLI::App& app, int& exit_code);
+
 /// `solve PROBLEM.json`: solves one MPC problem.
 void AddSolveCommand(CLI::App& app, int& exit_code);
 
