@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/estimator/leg_odometry.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "controller/estimator/resting_point.h"
 
 namespace sidestep {
@@ -9,6 +12,8 @@ namespace {
 constexpr double kFreeFootVariance_m2 = 100.0;  // a foot in the air may land anywhere
 constexpr double kInitialVariance = 1e-6;       // the start is known
 constexpr double kGroundNoise_m = 0.002;        // flatness of the floor
+constexpr double kFloorDeviations = 3.0;        // a floor is hardly ever off by more
+constexpr double kLifted_m = 0.005;             // bounces are lower, swings higher
 constexpr int kPosition = 0, kVelocity = 3, kFeet = 6;
 
 Eigen::Index FootAt(std::size_t foot) { return kFeet + 3 * static_cast<Eigen::Index>(foot); }
@@ -30,6 +35,7 @@ LegOdometry::LegOdometry(const RobotDescription& robot, const EstimatorParams& p
   PHt_.setZero(size);
   H_.setZero(size);
   stands_.assign(robot.feet.size(), false);
+  lifted_.assign(robot.feet.size(), true);
   turns_.resize(robot.feet.size());
   state_.feet.resize(robot.feet.size());
   RigidBody at_home(body);
@@ -58,12 +64,16 @@ const RobotState& LegOdometry::Update(const SensorFrame& frame, RigidBody* body)
   const Eigen::Vector3d v_BU_W = body->imu().v_WU;
   for (std::size_t i = 0; i < robot_.feet.size(); ++i) {
     const bool touches = state_.feet[i].in_contact;
+    const Eigen::Vector3d p_UF_W = body->feet()[i].p_WF - p_BU_W;
     if (touches != stands_[i]) ReleaseFoot(i);
     if (touches) TurnFoot(i, stands_[i]);
-    if (touches && !stands_[i]) ExpectFloor(i);
+    if (touches && lifted_[i]) ExpectFloor(i, p_UF_W);
     stands_[i] = touches;
-    if (!touches) continue;
-    CorrectFoot(i, body->feet()[i].p_WF - p_BU_W, body->feet()[i].v_WF - v_BU_W);
+    if (touches) {
+      CorrectFoot(i, p_UF_W, body->feet()[i].v_WF - v_BU_W);
+    } else {
+      WatchLift(i, p_UF_W);
+    }
   }
 
   state_.p_WB = x_.segment<3>(kPosition) - p_BU_W;
@@ -126,11 +136,23 @@ void LegOdometry::TurnFoot(std::size_t foot, bool has_stood) {
   if (has_stood) x_.segment<3>(FootAt(foot)) += 0.5 * dt_s_ * (before_mps + turn.v_WF);
 }
 
-void LegOdometry::ExpectFloor(std::size_t foot) {
+// Of a foot in the air the filter's foothold stays where it last stood.
+void LegOdometry::WatchLift(std::size_t foot, const Eigen::Vector3d& p_UF_W) {
+  const double rise_m = x_[kPosition + 2] + p_UF_W.z() - x_[FootAt(foot) + 2];
+  if (rise_m > kLifted_m) lifted_[foot] = true;
+}
+
+// Huber's weight: what is off by more deviations than kFloorDeviations pulls no harder than there.
+void LegOdometry::ExpectFloor(std::size_t foot, const Eigen::Vector3d& p_UF_W) {
+  lifted_[foot] = false;
   if (params_.floor_noise_m == 0.0) return;
   const Eigen::Index height = FootAt(foot) + 2;
-  x_[height] = -turns_[foot].p_FP.z();
-  P_(height, height) = params_.floor_noise_m * params_.floor_noise_m;
+  const double floor_m = -turns_[foot].p_FP.z();
+  const double variance = params_.floor_noise_m * params_.floor_noise_m;
+  const double deviation_m = std::sqrt(P_(kPosition + 2, kPosition + 2) + variance);
+  const double off_m = x_[kPosition + 2] + p_UF_W.z() - floor_m;
+  x_[height] = floor_m;
+  P_(height, height) = variance * std::max(1.0, std::abs(off_m) / (kFloorDeviations * deviation_m));
 }
 
 void LegOdometry::CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W,

@@ -49,10 +49,14 @@ class LegOdometry final : public StateEstimator {
   void Predict(const Eigen::Vector3d& a_WU);
   /// Forgets a foothold, on landing as on lift-off: it may be anywhere.
   void ReleaseFoot(std::size_t foot);
+  /// Notes a foot in the air that is off the ground on which it last stood.
+  void WatchLift(std::size_t foot, const Eigen::Vector3d& p_UF_W);
   /// How the foot turns on the ground since the frame before, which takes its foothold along.
   void TurnFoot(std::size_t foot, bool has_stood);
-  /// What is known of the floor where a foot lands, once: it may be off by floor_noise_m.
-  void ExpectFloor(std::size_t foot);
+  /// What is known of the floor where a foot lands: it may be off by floor_noise_m. Said once a
+  /// foothold, for a foot that bounces is back on the same ground; and the less the farther off the
+  /// ground is found to be, for then it is a hole or a step and not that floor.
+  void ExpectFloor(std::size_t foot, const Eigen::Vector3d& p_UF_W);
   /// By the foot's place and velocity relative to the IMU, in W, axis by axis.
   void CorrectFoot(std::size_t foot, const Eigen::Vector3d& p_UF_W, const Eigen::Vector3d& v_UF_W);
   /// One measurement z = H x + noise: no matrix is inverted.
@@ -76,6 +80,7 @@ class LegOdometry final : public StateEstimator {
   Eigen::VectorXd PHt_;       // scratch
   Eigen::RowVectorXd H_;      // scratch
   std::vector<bool> stands_;  // at the last frame
+  std::vector<bool> lifted_;  // since it last stood: its next foothold is a new one
   std::vector<Turn> turns_;   // likewise, of feet that stood
   bool has_frame_{false};
   RobotState state_;

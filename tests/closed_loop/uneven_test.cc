@@ -35,7 +35,8 @@ TEST(UnevenTest, WalksOverHolesAsDeepAsItSearches) {
     const ClosedLoopRun run("biped_walk_drop", {Height(height_m)});
     EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << height_m << run.Describe();
   }
-  // At its full depth it leans by 0.12 rad, more than the scenario's 2 cm ask for.
+  // At its full depth it leans by 0.12 rad, more than the scenario's 2 cm ask for: the momentum of
+  // falling over the other foot's toes goes into the trunk, and does with the exact state too.
   const ClosedLoopRun deepest("biped_walk_drop",
                               {Height("-0.06"), "expect.max_tilt_rad={max: 0.13}"});
   EXPECT_EQ(deepest.verdict.verdict_class, VerdictClass::kPass) << deepest.Describe();
@@ -49,19 +50,21 @@ TEST(UnevenTest, FallsOverAHoleOfFourCentimetresThatItSearchesAtLandingSpeed) {
 }
 
 TEST(UnevenTest, WalksOverAStepThatItsFeetAreLiftedOver) {
-  // The step up comes early and the next one late: 2.43 and 2.40 Hz instead of 2.5.
-  const std::string frequency = "expect.step_frequency_hz={min: 2.39, max: 2.55}";
-  const ClosedLoopRun low("biped_walk_step", {Height("0.03"), frequency});
+  const ClosedLoopRun low("biped_walk_step", {Height("0.03")});
   EXPECT_EQ(low.verdict.verdict_class, VerdictClass::kPass) << low.Describe();
-  const ClosedLoopRun high("biped_walk_step",
-                           {Height("0.04"), "gait.1.swing_height_m=0.06", frequency});
+  const ClosedLoopRun high("biped_walk_step", {Height("0.04"), "gait.1.swing_height_m=0.06"});
   EXPECT_EQ(high.verdict.verdict_class, VerdictClass::kPass) << high.Describe();
 }
 
-// Feet are lifted by 4 cm: they trip over the edge.
-TEST(UnevenTest, FallsOverAStepAsHighAsItsFeetAreLifted) {
-  const ClosedLoopRun run("biped_walk_step", {Height("0.04")});
-  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
+// Feet are lifted by 4 cm: they trip over the edge, and steps that move catch it. Either way in 10
+// of 10 seeds.
+TEST(UnevenTest, TripsOverAStepAsHighAsItsFeetAreLiftedAndFallsIfItMayNotMoveItsSteps) {
+  const ClosedLoopRun tripped("biped_walk_step",
+                              {Height("0.04"), "expect={fall: false, max_tilt_rad: {min: 0.2}}"});
+  EXPECT_EQ(tripped.verdict.verdict_class, VerdictClass::kPass) << tripped.Describe();
+  const ClosedLoopRun held("biped_walk_step", {Height("0.04"), "control.mpc.box_lower_m=[0, 0, 0]",
+                                               "control.mpc.box_upper_m=[0, 0, 0]"});
+  EXPECT_TRUE(held.FailedBy(reason::kFall)) << held.Describe();
 }
 
 /// Largest error (m) of the believed CoM's height in the run of `name`, `duration_s` of it.
@@ -80,14 +83,12 @@ double LargestHeightError_m(const std::string& name, double duration_s,
   return error_m;
 }
 
-// Measured up to 3.8 mm over 2 cm, with a floor that is taken to lie within 5 mm; with 10 mm
-// 0.8 mm and 1.9 mm, but then a run's height drifts by 6 mm in 20 s.
+// Measured up to 1.3 mm over 2 cm and 0.8 mm in the deepest hole. Told of the floor at every
+// bounce, the belief was 4 mm and 11 mm off, and steps came late.
 TEST(UnevenTest, LearnsHowHighItsFeetStand) {
-  const std::string within_1_cm = "control.estimation.floor_noise_m=0.01";
-  for (const char* name : {"biped_walk_drop", "biped_walk_step"}) {
-    EXPECT_LT(LargestHeightError_m(name, 12.0, {within_1_cm}), 0.003) << name;
-    EXPECT_LT(LargestHeightError_m(name, 12.0), 0.0045) << name;
-  }
+  EXPECT_LT(LargestHeightError_m("biped_walk_drop", 12.0), 0.003);
+  EXPECT_LT(LargestHeightError_m("biped_walk_step", 12.0), 0.003);
+  EXPECT_LT(LargestHeightError_m("biped_walk_drop", 12.0, {Height("-0.06")}), 0.003);
   EXPECT_GT(LargestHeightError_m("biped_walk_drop", 12.0, {"control.estimation.floor_noise_m=0"}),
             0.015)
       << "whoever takes the floor to be level falls for the hole";

@@ -110,8 +110,9 @@ TEST_F(LegOdometryTest, HeightErrorOfAFlightIsGoneSoonAfterTouchDown) {
 }
 
 /// The hopper's believed height after 0.2 s in the air, in truth at rest where it started, and
-/// `stance` frames on the ground.
-double HeightAfterLanding_m(double floor_noise_m, double bias_mps2, double longer_m, int stance) {
+/// `stance` frames on the ground, of which every one in `bounce` is not felt (0: all are).
+double HeightAfterLanding_m(double floor_noise_m, double bias_mps2, double longer_m, int stance,
+                            int bounce = 0) {
   RigidBody body(Hopper());
   EstimatorParams params;
   params.floor_noise_m = floor_noise_m;
@@ -121,7 +122,11 @@ double HeightAfterLanding_m(double floor_noise_m, double bias_mps2, double longe
   for (int i = 0; i <= 200; ++i) odometry.Update(flight, &body);
   SensorFrame landed = HomeFrame(true);
   landed.joint_position[2] += longer_m;  // the leg finds the ground so much lower
-  for (int i = 1; i < stance; ++i) odometry.Update(landed, &body);
+  for (int i = 1; i < stance; ++i) {
+    landed.feet[0].normal_force_N = bounce > 0 && i % bounce == 0 ? 0.0 : 9.81;
+    odometry.Update(landed, &body);
+  }
+  landed.feet[0].normal_force_N = 9.81;
   return odometry.Update(landed, &body).p_WB.z();
 }
 
@@ -137,8 +142,9 @@ TEST(FloorHeightTest, ALandingWeighsTheFloorOnceByItsUncertainty) {
   const Eigen::Vector2d Q(0.25 * step_mps * step_mps * dt * dt, step_mps * step_mps);
   for (int i = 0; i < 201; ++i)
     P = Eigen::Matrix2d(F * P * F.transpose()) + Eigen::Matrix2d(Q.asDiagonal());
-  // 2 m/s^2 too much for 0.2 s, and one period more of the speed that this has given.
-  const Eigen::Vector2d believed(0.515 + 0.5 * 2.0 * 0.04 + 2.0 * 0.2 * dt, 2.0 * 0.2);
+  // 1 m/s^2 too much for 0.2 s, and one period more of the speed that this has given: two
+  // deviations of the floor.
+  const Eigen::Vector2d believed(0.515 + 0.5 * 1.0 * 0.04 + 1.0 * 0.2 * dt, 1.0 * 0.2);
   const Eigen::Vector2d measured(0.515, 0.0);
   const Eigen::Vector2d precision(
       1.0 / (0.01 * 0.01 + params.foot_position_noise_m * params.foot_position_noise_m),
@@ -147,7 +153,7 @@ TEST(FloorHeightTest, ALandingWeighsTheFloorOnceByItsUncertainty) {
   const Eigen::Matrix2d P_inverse = P.inverse();
   const Eigen::Vector2d after =
       (P_inverse + R_inverse).inverse() * (P_inverse * believed + R_inverse * measured);
-  EXPECT_NEAR(HeightAfterLanding_m(0.01, 2.0, 0.0, 1), after[0], 1e-7);
+  EXPECT_NEAR(HeightAfterLanding_m(0.01, 1.0, 0.0, 1), after[0], 1e-7);
 }
 
 TEST(FloorHeightTest, AFootThatFindsTheGroundLowerLearnsItsHeight) {
@@ -155,6 +161,24 @@ TEST(FloorHeightTest, AFootThatFindsTheGroundLowerLearnsItsHeight) {
   // the 1 mm to which a flight has left the height known.
   EXPECT_NEAR(HeightAfterLanding_m(0.0, 0.0, 0.04, 200), 0.515 + 0.04, 0.004);
   EXPECT_NEAR(HeightAfterLanding_m(0.01, 0.0, 0.04, 200), 0.515, 0.001);
+}
+
+TEST(FloorHeightTest, AHoleFarDeeperThanTheFloorIsKnownPullsNoHarderThanOneAtTheLimit) {
+  // 10 cm and 20 cm are ten and twenty deviations of 1 cm; what counts is three of them.
+  const double deep_m = HeightAfterLanding_m(0.01, 0.0, 0.1, 1) - 0.515;
+  const double deeper_m = HeightAfterLanding_m(0.01, 0.0, 0.2, 1) - 0.515;
+  const double at_limit_m = HeightAfterLanding_m(0.01, 0.0, 0.03, 1) - 0.515;
+  EXPECT_GT(at_limit_m, 1e-5) << "else there is nothing to compare";
+  EXPECT_NEAR(deep_m, at_limit_m, 0.05 * at_limit_m) << "but for what the height's own noise adds";
+  EXPECT_NEAR(deeper_m, at_limit_m, 0.05 * at_limit_m);
+}
+
+TEST(FloorHeightTest, AFootThatBouncesIsToldOfItsFloorOnce) {
+  // Of 100 frames a foot misses every tenth: ten landings on one foothold, 20 mm low.
+  const double steady_m = HeightAfterLanding_m(0.01, 0.0, 0.02, 100) - 0.515;
+  const double bouncing_m = HeightAfterLanding_m(0.01, 0.0, 0.02, 100, 10) - 0.515;
+  EXPECT_GT(steady_m, 1e-5) << "the floor is told of";
+  EXPECT_LT(bouncing_m, 2.0 * steady_m) << "ten times were ten times as much";
 }
 
 TEST(FloorHeightTest, LandingAfterLandingOnALevelFloorTheHeightComesBack) {
