@@ -62,9 +62,11 @@ constexpr auto EnumValues() {
 /// keys, metrics and columns share the endings.
 constexpr std::string_view UnitOf(std::string_view name) {
   // An ending that contains another comes before it.
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kEndings{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kEndings{
       {{"_Nms_per_rad", "N m s/rad"},
        {"_Nm_per_rad", "N m/rad"},
+       {"_radps_per_Nm", "rad/s/(N m)"},
+       {"_mps_per_N", "m/s/N"},
        {"_N_per_m", "N/m"},
        {"_per_s2", "1/s^2"},
        {"_per_s", "1/s"},

@@ -16,16 +16,19 @@ namespace sidestep {
 /// notice. They act while a foot that is held is felt, each by its rate times the control period of
 /// what is left to go.
 struct InverseKinematicsParams {
-  double foot_linear_gain_per_s{5.0};   ///< Position error of the commanded foot.
-  double foot_angular_gain_per_s{4.0};  ///< Against the contact's R_WF.
-  double torso_gain_per_s{5.0};         ///< Upright, facing as the feet do.
-  double torso_weight{1.0};             ///< Feet and CoM are exact; this is not.
-  double posture_gain_per_s{5.0};       ///< Of the commanded joints.
-  double posture_weight{1e-2};          ///< Small: it settles what the tasks leave open.
-  double com_feedback_per_s{4.0};       ///< All three axes.
-  double zmp_feedback_per_s{0.3};       ///< Horizontal; needs forces in the feet.
-  double position_anchor_per_s{10.0};   ///< Shares above 1 a tick are cut to 1.
-  double attitude_anchor_per_s{10.0};   ///< Likewise.
+  double foot_linear_gain_per_s{5.0};               ///< Position error of the commanded foot.
+  double foot_angular_gain_per_s{4.0};              ///< Against the contact's R_WF.
+  double foot_moment_compliance_radps_per_Nm{0.0};  ///< About x and y; 0: stiff.
+  double foot_load_compliance_mps_per_N{0.0};       ///< Along z; 0: stiff.
+  double swing_attitude_weight{0.0};                ///< 0: exact, as in the paper.
+  double torso_gain_per_s{5.0};                     ///< Upright, facing as the feet do.
+  double torso_weight{1.0};                         ///< Feet and CoM are exact; this is not.
+  double posture_gain_per_s{5.0};                   ///< Of the commanded joints.
+  double posture_weight{1e-2};         ///< Small: it settles what the tasks leave open.
+  double com_feedback_per_s{4.0};      ///< All three axes.
+  double zmp_feedback_per_s{0.3};      ///< Horizontal; needs forces in the feet.
+  double position_anchor_per_s{10.0};  ///< Shares above 1 a tick are cut to 1.
+  double attitude_anchor_per_s{10.0};  ///< Likewise.
   bool compensates_deflection{true};
 
   template <typename Self, typename Visitor>
@@ -35,6 +38,12 @@ struct InverseKinematicsParams {
           "velocity of a foot per metre of position error");
     visit("foot_angular_gain_per_s", self.foot_angular_gain_per_s, gain,
           "angular velocity of a foot per radian of error");
+    visit("foot_moment_compliance_radps_per_Nm", self.foot_moment_compliance_radps_per_Nm, gain,
+          "how fast a standing foot turns with a moment that the plan has not (0: not at all)");
+    visit("foot_load_compliance_mps_per_N", self.foot_load_compliance_mps_per_N, gain,
+          "how fast a standing foot yields to a load that the plan has not (0: not at all)");
+    visit("swing_attitude_weight", self.swing_attitude_weight, gain,
+          "weight of a swinging foot's attitude, so that its ankle may stop (0: exact)");
     visit("torso_gain_per_s", self.torso_gain_per_s, gain,
           "angular velocity of the torso per radian of error");
     visit("torso_weight", self.torso_weight, gain, "weight of the torso's orientation task");

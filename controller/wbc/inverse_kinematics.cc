@@ -17,6 +17,12 @@ constexpr double kSoftComWeight = 1e2;    // when the hard tasks contradict each
 constexpr double kBaseDamping = 1e-6;     // of a base twist that no task asks for
 constexpr double kMinCarriedShare = 0.1;  // of the weight, for a ZMP worth believing
 
+// A sole that the ground has turned about z is not turned back as it stands: friction would hold it
+// and turn the robot instead, and the commanded robot would move about it as the true one does not.
+bool GivesWay(const InverseKinematicsParams& params) {
+  return params.foot_moment_compliance_radps_per_Nm > 0.0;
+}
+
 DenseQpDimensions Maxima(const RobotDescription& robot, const RigidBody& body) {
   const int foot_rows = body.num_base_velocities();  // as many ways as the base has to move
   const int com_rows = body.base().num_linear();
@@ -129,6 +135,7 @@ void InverseKinematics::Anchor(const RobotState& state) {
 void InverseKinematics::Build(const Eigen::Vector3d& v_WC, const RobotState& state,
                               const std::vector<FootTarget>& feet) {
   qp_.Start(nv_);
+  GiveWay(params_, state, feet, vertices_m_, &yielding_);
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const bool has_landed = holds_[i].active || state.feet[i].in_contact;
     AddFoot(i, feet[i], feet[i].planned_contact && has_landed);
@@ -149,17 +156,27 @@ void InverseKinematics::AddFoot(std::size_t foot, const FootTarget& target, bool
   hold.p_WF.z() = robot_.feet[foot].sole_height_m;
   const Eigen::Vector3d p_WF = stands ? hold.p_WF : target.p_WF;
   const Eigen::Vector3d feedforward = stands ? Eigen::Vector3d::Zero().eval() : target.v_WF;
-  const FootTask task =
-      FootVelocity(body_, foot, feedforward + params_.foot_linear_gain_per_s * (p_WF - at.p_WF),
-                   params_.foot_angular_gain_per_s * RotationError_W(at.R_WF, target.contact.R_WF));
+  const FootYielding gives = stands ? yielding_[foot] : FootYielding{};
+  const Eigen::Vector3d v_WF = feedforward + gives.lift_mps * Eigen::Vector3d::UnitZ() +
+                               params_.foot_linear_gain_per_s * (p_WF - at.p_WF);
+  Eigen::Vector3d w_WF =
+      params_.foot_angular_gain_per_s * RotationError_W(at.R_WF, target.contact.R_WF);
+  if (stands && GivesWay(params_)) w_WF.z() = 0.0;
+  const FootTask task = FootVelocity(body_, foot, v_WF, w_WF + gives.w_WF);
   qp_.AddExact(task.linear, body_.base().linear_axes());
-  qp_.AddExact(task.angular, body_.base().angular_axes());
+  if (stands || params_.swing_attitude_weight == 0.0) {
+    qp_.AddExact(task.angular, body_.base().angular_axes());
+  } else {
+    qp_.AddTask(task.angular, params_.swing_attitude_weight, body_.base().angular_axes());
+  }
 }
 
-// Upright, facing where the feet face on average.
+// Upright, facing where the feet face on average: where they are to, or, if they give way, do.
 void InverseKinematics::AddTrunk(const std::vector<FootTarget>& feet) {
+  const Eigen::Matrix3d upright =
+      GivesWay(params_) ? UprightFacingAs(body_) : UprightFacingAs(feet);
   const Eigen::Vector3d w_WT =
-      params_.torso_gain_per_s * RotationError_W(body_.torso().R_WT, UprightFacingAs(feet));
+      params_.torso_gain_per_s * RotationError_W(body_.torso().R_WT, upright);
   qp_.AddTask(TrunkVelocity(body_, w_WT), params_.torso_weight);
 }
 

@@ -13,6 +13,8 @@
 // robot. Measurements enter by the CoM velocity (com_zmp_correction) and by the anchor: a rigid
 // motion of the commanded robot, which leaves its joints alone and keeps it where the belief sees
 // the standing feet and the base's attitude.
+// Standing feet may give way to the ground (foot_compliance.h), and a swinging foot's attitude may
+// be weighed instead of exact.
 // Source: Romualdi et al. (ICRA 2022), section III-C.
 
 #include <Eigen/Core>
@@ -21,6 +23,7 @@
 
 #include "controller/model/rigid_body.h"
 #include "controller/types/control_params.h"
+#include "controller/wbc/foot_compliance.h"
 #include "controller/wbc/qp/dense_qp.h"
 #include "controller/wbc/qp_builder.h"
 #include "controller/wbc/servo_deflection.h"
@@ -78,6 +81,7 @@ class InverseKinematics final : public WholeBody {
   Eigen::VectorXd home_;     // posture, one a joint
   std::vector<Hold> holds_;  // one a foot
   std::vector<Eigen::Matrix3Xd> vertices_m_;
+  std::vector<FootYielding> yielding_;
   ServoDeflection deflection_;
   QpBuilder qp_;
   DenseQpSolver solver_;

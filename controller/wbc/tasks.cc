@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace sidestep::wbc {
+namespace {
+
+Eigen::Matrix3d UprightFacing(const Eigen::Vector3d& forward) {
+  const double yaw_rad = std::atan2(forward.y(), forward.x());
+  return Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+}  // namespace
 
 Task ComVelocity(const RigidBody& body, const Eigen::Vector3d& v_WC) {
   return {body.com_jacobian(), v_WC};
@@ -49,8 +57,13 @@ Task TrunkAcceleration(const RigidBody& body, const Eigen::Vector3d& wdot_WT) {
 Eigen::Matrix3d UprightFacingAs(const std::vector<FootTarget>& feet) {
   Eigen::Vector3d forward = Eigen::Vector3d::Zero();
   for (const FootTarget& foot : feet) forward += foot.contact.R_WF.col(0);
-  const double yaw_rad = std::atan2(forward.y(), forward.x());
-  return Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return UprightFacing(forward);
+}
+
+Eigen::Matrix3d UprightFacingAs(const RigidBody& body) {
+  Eigen::Vector3d forward = Eigen::Vector3d::Zero();
+  for (const FootKinematics& foot : body.feet()) forward += foot.R_WF.col(0);
+  return UprightFacing(forward);
 }
 
 Eigen::Vector3d TrackedAcceleration(const PointTarget& target, const Eigen::Vector3d& p_now,

@@ -59,6 +59,9 @@ Task TrunkAcceleration(const RigidBody& body, const Eigen::Vector3d& wdot_WT);
 /// Upright, and facing where the contacts of the feet face on average.
 Eigen::Matrix3d UprightFacingAs(const std::vector<FootTarget>& feet);
 
+/// Upright, and facing where the feet of `body` face on average.
+Eigen::Matrix3d UprightFacingAs(const RigidBody& body);
+
 /// How a point is wanted to move.
 struct PointTarget {
   Eigen::Vector3d p, v, a;  ///< In W: m, m/s, m/s^2.

@@ -14,6 +14,8 @@ TEST(UnitOfTest, ANameEndsInItsUnit) {
   EXPECT_EQ(UnitOf("duration_s"), "s");
   EXPECT_EQ(UnitOf("solve_time_ms"), "ms");
   EXPECT_EQ(UnitOf("rate_hz"), "Hz");
+  EXPECT_EQ(UnitOf("compliance_radps_per_Nm"), "rad/s/(N m)");
+  EXPECT_EQ(UnitOf("compliance_mps_per_N"), "m/s/N");
   EXPECT_EQ(UnitOf("step_length_m"), "m");
   EXPECT_EQ(UnitOf("landing_speed_mps"), "m/s");
   EXPECT_EQ(UnitOf("accelerometer_noise_mps2"), "m/s^2");

@@ -151,6 +151,41 @@ TEST_F(InverseKinematicsTest, GroundThatCarriesAheadOfThePlanSendsTheComAhead) {
   EXPECT_LT((v_WC - Eigen::Vector3d(0.01, 0.0, 0.0)).norm(), 5e-4);
 }
 
+TEST_F(InverseKinematicsTest, StandingFootTurnsWithAMomentThatThePlanHasNot) {
+  InverseKinematicsParams params = BareTasks();
+  params.foot_moment_compliance_radps_per_Nm = 0.002;
+  stance_.PlanWeightEvenly();  // the pressure under F, for the soles are symmetric about it
+  const Eigen::Vector3d level =
+      4.0 * SmallTurn_W(stance_.body.feet()[1].R_WF, Eigen::Matrix3d::Identity());
+  FootTwist stays;
+  stays.linear.z() = -5.0 * stance_.body.feet()[0].p_WF.z();
+  stays.angular = 4.0 * SmallTurn_W(stance_.body.feet()[0].R_WF, Eigen::Matrix3d::Identity());
+  for (FootState& foot : stance_.state.feet) foot.wrench.force_N.z() = 200.0;
+  stance_.state.feet[1].wrench.torque_Nm = {3.0, 5.0, 7.0};
+  InverseKinematics ik(stance_.robot, params, kStanceTick_s);
+  Run(1, &ik);
+  const Eigen::VectorXd nu = WithBaseTwist(stance_.body, 0, stays, command_.joint_velocity);
+  const Eigen::Vector3d w_WF = stance_.body.foot_jacobian(1).J_rot * nu;
+  EXPECT_LT((w_WF - level - Eigen::Vector3d(0.006, 0.010, 0.0)).norm(), 1e-7);
+}
+
+// Toes 1 rad up is more than the ankle has.
+TEST_F(InverseKinematicsTest, WeighedAttitudeOfASwingingFootLeavesTheTorsoAlone) {
+  const auto tilt_rad = [this](double weight) {
+    stance_ = {};
+    stance_.Lift(1);
+    stance_.feet[1].contact.R_WF =
+        Eigen::AngleAxisd(-1.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    InverseKinematicsParams params = BareTasks();
+    params.swing_attitude_weight = weight;
+    InverseKinematics ik(stance_.robot, params, kStanceTick_s);
+    for (int tick = 0; tick < 200; ++tick) Solve(&ik);
+    Commanded();
+    return SmallTurn_W(stance_.body.torso().R_WT, Eigen::Matrix3d::Identity()).norm();
+  };
+  EXPECT_LT(tilt_rad(0.01), 0.2 * tilt_rad(0.0));
+}
+
 TEST_F(InverseKinematicsTest, RobotWithoutServosBreaksTheContract) {
   stance_.robot.joints.clear();
   EXPECT_THROW(InverseKinematics(stance_.robot, BareTasks(), kStanceTick_s), ContractViolation);
