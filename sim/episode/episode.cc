@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/episode/episode.h"
 
+#include "models/support/require.h"
 #include "sim/world/make_world.h"
 
 namespace sidestep {
@@ -25,6 +26,21 @@ Episode Fork(const Episode& episode) {
   std::unique_ptr<Controller> controller = episode.controller->Clone(timer.get());
   return {episode.scenario,      episode.world->Clone(), episode.sensors, std::move(timer),
           std::move(controller), episode.judge,          episode.tick,    episode.is_over};
+}
+
+Episode ForkWithPushes(const Episode& episode, const std::vector<Push>& pushes) {
+  const double tick_s = episode.scenario.world.step_s;
+  for (const std::vector<Push>& some : {episode.scenario.pushes, pushes}) {
+    for (const Push& push : some) {
+      const Tick start = TickAt(push.start_s, tick_s);
+      SIDESTEP_REQUIRE(start > episode.tick || episode.tick == 0, start);
+    }
+  }
+  Episode fork = Fork(episode);
+  fork.scenario.pushes = pushes;
+  fork.world->ReplacePushes(pushes, fork.tick);
+  fork.judge.ReplacePushes(pushes);
+  return fork;
 }
 
 }  // namespace sidestep

@@ -7,6 +7,7 @@
 // dump of MPC problems) is no part of it and is forked beside it.
 
 #include <memory>
+#include <vector>
 
 #include "controller/make_controller.h"
 #include "sim/episode/wall_stage_timer.h"
@@ -43,5 +44,16 @@ Episode StartEpisode(const Scenario& scenario,
 
 /// A copy that shares nothing with `episode` that either changes.
 Episode Fork(const Episode& episode);
+
+/// A copy in which other pushes act than in `episode`, of which none may have begun. From there it
+/// goes on as a run of the scenario with these pushes would, bit for bit: the part before a push
+/// is simulated once for many of them.
+///
+/// Give `pushes` as many as the episode has: sums over loads take zeros in, and only an equal
+/// number of them is sure to round alike.
+/// @throws ContractViolation unless every push, old and new, starts after `episode.tick` (at it, if
+///         that is 0: nothing was simulated yet). @throws ConfigError for a body that the robot
+///         lacks.
+Episode ForkWithPushes(const Episode& episode, const std::vector<Push>& pushes);
 
 }  // namespace sidestep

@@ -22,10 +22,15 @@ double ErrorFigures::rms() const {
   return std::sqrt(sum_of_squares_ / count_);
 }
 
-BeliefMeter::BeliefMeter(const std::vector<Push>& pushes, double tick_s) {
+BeliefMeter::BeliefMeter(const std::vector<Push>& pushes, double tick_s) : tick_s_(tick_s) {
+  ReplacePushes(pushes);
+}
+
+void BeliefMeter::ReplacePushes(const std::vector<Push>& pushes) {
+  windows_.clear();
   for (const Push& push : pushes) {
     const double end_s = push.start_s + push.duration_s + kAfterPush_s;
-    windows_.push_back({TickAt(push.start_s, tick_s), TickAt(end_s, tick_s)});
+    windows_.push_back({TickAt(push.start_s, tick_s_), TickAt(end_s, tick_s_)});
   }
 }
 

@@ -39,6 +39,9 @@ class BeliefMeter {
  public:
   BeliefMeter(const std::vector<Push>& pushes, double tick_s);
 
+  /// Other pushes instead of those it has; none of either may have started.
+  void ReplacePushes(const std::vector<Push>& pushes);
+
   /// Takes a control tick. A belief without feet is of a controller that tells none, and not
   /// measured.
   void Add(Tick tick, const WorldTruth& truth, const RobotState& belief);
@@ -54,6 +57,7 @@ class BeliefMeter {
     Tick end{0};  ///< Included.
   };
 
+  double tick_s_;
   std::vector<Window> windows_;
   ErrorFigures com_velocity_mps_;
   ErrorFigures pushed_com_velocity_mps_;

@@ -91,6 +91,10 @@ std::vector<Reason> Judge::State::FailuresIn(
   return reasons;
 }
 
+void Judge::ReplacePushes(const std::vector<Push>& pushes) { state_->meters.ReplacePushes(pushes); }
+
+bool Judge::is_settled() const { return state_->meters.is_settled(); }
+
 void Judge::Invalidate(const std::string& kind, const std::string& text, double time_s) {
   state_->invalid.push_back({kind, text, time_s});
 }

@@ -49,6 +49,15 @@ class Judge {
   /// A non-finite CoM or base makes the run INVALID (DIVERGED) and ends the judging.
   void Add(Tick tick, const WorldTruth& truth, const ControlTick* control);
 
+  /// Other pushes instead of those it has. None of either may have started by the tick after the
+  /// last one taken.
+  void ReplacePushes(const std::vector<Push>& pushes);
+
+  /// Whether the robot is settled as of the last tick: it has not fallen, and what makes a push
+  /// recovered from (push_meter.h: path, speed over the last gait cycle, tilt) holds. False before
+  /// the first tick.
+  bool is_settled() const;
+
   /// Makes the run INVALID. `kind` is reason::kDiverged, kInterrupted or kError.
   void Invalidate(const std::string& kind, const std::string& text, double time_s);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace sidestep {
 namespace {
@@ -41,6 +42,12 @@ PushMeter::PushMeter(const std::vector<Push>& pushes, double tick_s)
   }
 }
 
+void PushMeter::ReplacePushes(const std::vector<Push>& pushes) {
+  PushMeter other(pushes, tick_s_);
+  disturbances_ = std::move(other.disturbances_);
+  disturbance_of_push_ = std::move(other.disturbance_of_push_);
+}
+
 // The disturbance in whose window `tick` is, or null.
 PushMeter::Disturbance* PushMeter::At(Tick tick) {
   const auto found = std::find_if(disturbances_.begin(), disturbances_.end(), [&](const auto& one) {
@@ -58,11 +65,12 @@ void PushMeter::AddTilt(Tick tick, double tilt_rad) {
 }
 
 void PushMeter::AddPath(const PathSample& sample) {
+  is_calm_ = IsCalm(sample, tilt_rad_);
   Disturbance* const one = At(sample.tick);
   if (one == nullptr) return;
   one->figures.drift_m = sample.drift_m;
   if (sample.tick < one->end || one->figures.recovered || has_fallen_) return;
-  if (!IsCalm(sample, tilt_rad_)) {
+  if (!is_calm_) {
     one->calm_since.reset();
     return;
   }

@@ -32,6 +32,9 @@ class PushMeter {
  public:
   PushMeter(const std::vector<Push>& pushes, double tick_s);
 
+  /// Other pushes instead of those it has; none of either may have started.
+  void ReplacePushes(const std::vector<Push>& pushes);
+
   /// Takes the tilt of every tick, in order; see FallMeter.
   void AddTilt(Tick tick, double tilt_rad);
 
@@ -41,6 +44,9 @@ class PushMeter {
   /// Takes a step that came down. @param adjustment_m  See TouchDown; empty if there is none to
   /// tell.
   void AddStep(Tick tick, std::optional<double> adjustment_m);
+
+  /// Whether (a), (b) and (c) hold at the latest sample; false before the first.
+  bool is_calm() const { return is_calm_; }
 
   /// The robot fell. Has a meaning once.
   void AddFall(Tick tick);
@@ -68,6 +74,7 @@ class PushMeter {
   double tick_s_;
   double tilt_rad_{0.0};  // of the last tick
   bool has_fallen_{false};
+  bool is_calm_{false};                    // at the last sample
   std::vector<Disturbance> disturbances_;  // by time, no two windows overlap
   std::vector<std::size_t> disturbance_of_push_;
 };

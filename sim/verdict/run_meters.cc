@@ -114,6 +114,14 @@ void RunMeters::AddFeet(Tick tick, const WorldTruth& truth) {
   }
 }
 
+void RunMeters::ReplacePushes(const std::vector<Push>& pushes) {
+  pushes_ = pushes;
+  push_.ReplacePushes(pushes);
+  belief_.ReplacePushes(pushes);
+  impulse_W_Ns_.assign(pushes.size(), Eigen::Vector3d::Zero());
+  push_force_W_N_.assign(last_tick_ ? pushes.size() : 0, Eigen::Vector3d::Zero());
+}
+
 double RunMeters::max_slip_m() const {
   double max_slip_m = 0.0;
   for (const SlipMeter& meter : slip_) max_slip_m = std::max(max_slip_m, meter.max_slip_m());

@@ -42,6 +42,12 @@ class RunMeters {
   /// Takes one tick, in order, of a finite truth. @param control  Null between control ticks.
   void Add(Tick tick, const WorldTruth& truth, const ControlTick* control);
 
+  /// Other pushes instead of those it has; see Judge.
+  void ReplacePushes(const std::vector<Push>& pushes);
+
+  /// Whether the robot stands or goes as its gait asks; see Judge.
+  bool is_settled() const { return !fall_.has_fallen() && push_.is_calm(); }
+
   /// Every metric of sim/verdict/metrics.h.
   Metrics Measure() const;
 

@@ -23,14 +23,14 @@ double NominalMass(const RobotDescription& robot) {
   return mj_getTotalmass(model.get());
 }
 
-int PushedFoot(const Push& push, const RobotDescription& robot) {
+int PushedFoot(const Push& push, const std::vector<FootDescription>& feet,
+               const std::string& robot_file) {
   if (push.body == kCom) return -1;
-  for (std::size_t i = 0; i < robot.feet.size(); ++i) {
-    const FootDescription& foot = robot.feet[i];
-    if (push.body == foot.name || push.body == foot.frame) return static_cast<int>(i);
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    if (push.body == feet[i].name || push.body == feet[i].frame) return static_cast<int>(i);
   }
-  throw ConfigError(robot.file.string() + ": error: the centroidal plant has no body '" +
-                    push.body + "' to push: it has " + kCom + " and the feet");
+  throw ConfigError(robot_file + ": error: the centroidal plant has no body '" + push.body +
+                    "' to push: it has " + kCom + " and the feet");
 }
 
 // The first foot is the left one, at +y.
@@ -74,7 +74,8 @@ CentroidalState Advance(const CentroidalState& state, const CentroidalLoad& load
 
 CentroidalWorld::CentroidalWorld(const RobotDescription& robot, double start_width_m,
                                  const WorldParams& params, const std::vector<Push>& pushes)
-    : feet_(robot.feet),
+    : robot_file_(robot.file.string()),
+      feet_(robot.feet),
       mass_kg_(params.mass_scale * NominalMass(robot)),
       tick_s_(params.step_s),
       friction_(params.friction),
@@ -83,7 +84,7 @@ CentroidalWorld::CentroidalWorld(const RobotDescription& robot, double start_wid
     throw ConfigError(robot.file.string() +
                       ": error: the centroidal plant takes a robot of one or two feet");
   }
-  for (const Push& push : pushes) pushed_foot_.push_back(PushedFoot(push, robot));
+  ResolvePushes(pushes);
   truth_.feet.resize(feet_.size());
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     truth_.feet[i].p_WF = {0.0, StartSide(i, feet_.size()) * 0.5 * start_width_m,
@@ -95,6 +96,17 @@ CentroidalWorld::CentroidalWorld(const RobotDescription& robot, double start_wid
   truth_.qpos.resize(kFreeJointSize * static_cast<Eigen::Index>(1 + feet_.size()));
   WriteTruth();
   UpdatePushes(0);
+}
+
+void CentroidalWorld::ResolvePushes(const std::vector<Push>& pushes) {
+  pushed_foot_.clear();
+  for (const Push& push : pushes) pushed_foot_.push_back(PushedFoot(push, feet_, robot_file_));
+}
+
+void CentroidalWorld::ReplacePushes(const std::vector<Push>& pushes, Tick tick) {
+  ResolvePushes(pushes);
+  pushes_ = Pushes(pushes, tick_s_);
+  UpdatePushes(tick);
 }
 
 void CentroidalWorld::Apply(const ActuatorCommand& command) {

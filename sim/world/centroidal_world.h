@@ -66,6 +66,8 @@ class CentroidalWorld final : public World {
   double mass_kg() const override { return mass_kg_; }
   const std::vector<JointInfo>& joints() const override { return joints_; }
 
+  void ReplacePushes(const std::vector<Push>& pushes, Tick tick) override;
+
   /// Takes one CentroidalFootCommand a foot, force_N of the foot's number of vertices (or empty for
   /// none); no feet at all means no forces. Broken shapes are a ContractViolation.
   void Apply(const ActuatorCommand& command) override;
@@ -75,9 +77,11 @@ class CentroidalWorld final : public World {
  private:
   /// Forces at the vertices, where the feet are now, and the pushes.
   CentroidalLoad CurrentLoad() const;
+  void ResolvePushes(const std::vector<Push>& pushes);
   void UpdatePushes(Tick tick);
   void WriteTruth();
 
+  std::string robot_file_;  // for errors
   std::vector<FootDescription> feet_;
   double mass_kg_;  ///< The robot's times mass_scale.
   double tick_s_;

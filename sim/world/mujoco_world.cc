@@ -131,6 +131,7 @@ void MujocoWorld::ResolveJoints(const RobotDescription& robot) {
 }
 
 void MujocoWorld::ResolvePushes(const std::vector<Push>& pushes) {
+  pushed_.clear();
   for (const Push& push : pushes) {
     PushedObject object;
     object.site = mj_name2id(model_.get(), mjOBJ_SITE, push.body.c_str());
@@ -139,6 +140,12 @@ void MujocoWorld::ResolvePushes(const std::vector<Push>& pushes) {
     pushed_.push_back(object);
   }
   pushed_poses_.resize(pushed_.size());
+}
+
+void MujocoWorld::ReplacePushes(const std::vector<Push>& pushes, Tick tick) {
+  ResolvePushes(pushes);
+  pushes_ = Pushes(pushes, model_->opt.timestep);
+  UpdatePushes(tick);
 }
 
 void MujocoWorld::Apply(const ActuatorCommand& command) { servos_.Apply(command); }

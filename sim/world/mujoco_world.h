@@ -39,6 +39,7 @@ class MujocoWorld final : public World {
   const std::string& invalid_reason() const override { return invalid_reason_; }
   double mass_kg() const override { return mass_kg_; }
   const std::vector<JointInfo>& joints() const override { return joints_; }
+  void ReplacePushes(const std::vector<Push>& pushes, Tick tick) override;
   void Apply(const ActuatorCommand& command) override;
   void Step(Tick tick) override;
 

@@ -13,6 +13,7 @@
 #include "controller/types/sensor_frame.h"
 #include "controller/types/tick.h"
 #include "controller/types/wrench.h"
+#include "sim/scenario/push.h"
 
 namespace sidestep {
 
@@ -89,6 +90,10 @@ class World {
 
   /// In the order of the actuators.
   virtual const std::vector<JointInfo>& joints() const = 0;
+
+  /// Other pushes instead of those it has, at its current tick `tick`. None of either may act at or
+  /// before `tick`. Throws ConfigError for a body that the robot lacks.
+  virtual void ReplacePushes(const std::vector<Push>& pushes, Tick tick) = 0;
 
   /// Takes the command that acts from now on, until the next one.
   virtual void Apply(const ActuatorCommand& command) = 0;

@@ -4,13 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "models/support/require.h"
 #include "sim/episode/run_episode.h"
 #include "sim/record/run_summary.h"
 #include "sim/scenario/read_scenario.h"
@@ -129,6 +132,61 @@ TEST_P(ForkTest, AForkedRunIsTheStraightRunBitForBit) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, ForkTest, testing::ValuesIn(ShippedNames()),
                          [](const auto& param) { return param.param; });
+
+// All metrics of a run and its verdict, bit for bit.
+std::string Bits(const RunOutcome& outcome) {
+  std::string text(EnumName(outcome.verdict.verdict_class));
+  for (const Reason& reason : outcome.verdict.reasons) text += reason.kind + reason.text;
+  for (const auto& [name, value] : outcome.metrics) {
+    char bits[sizeof(double)] = {};
+    if (const double* number = std::get_if<double>(&value)) {
+      std::memcpy(bits, number, sizeof bits);
+    } else {
+      bits[0] = std::get<bool>(value) ? 1 : 0;
+    }
+    text += name + std::string(bits, sizeof bits);
+  }
+  for (const PushRecord& push : outcome.pushes) {
+    text += std::to_string(push.figures.steps_taken) + " " +
+            std::to_string(push.impulse_W_Ns.norm()) + " ";
+  }
+  return text;
+}
+
+RunOutcome OutcomeOf(Episode episode) {
+  RunEpisode(&episode, {});
+  return episode.judge.Conclude();
+}
+
+class OtherPushesTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(OtherPushesTest, AForkUnderOtherPushesIsTheirStraightRunBitForBit) {
+  Scenario scenario = Shipped(GetParam());
+  scenario.pushes.resize(1);
+  scenario.duration_s = std::min(scenario.duration_s, scenario.pushes[0].start_s + 4.0);
+  Scenario other = scenario;
+  other.pushes[0].force_N =
+      0.4 * Eigen::Vector3d(-scenario.pushes[0].force_N.y(), scenario.pushes[0].force_N.x(), 0.0);
+  other.pushes[0].start_s += 0.05;
+
+  Episode before = StartEpisode(scenario);
+  RunEpisode(&before, {}, TickAt(scenario.pushes[0].start_s, scenario.world.step_s) - 1);
+  const std::string straight = Bits(OutcomeOf(StartEpisode(other)));
+  EXPECT_TRUE(Bits(OutcomeOf(ForkWithPushes(before, other.pushes))) == straight);
+  EXPECT_TRUE(Bits(OutcomeOf(std::move(before))) == Bits(OutcomeOf(StartEpisode(scenario))));
+  EXPECT_FALSE(Bits(OutcomeOf(StartEpisode(scenario))) == straight) << "the pushes do nothing";
+}
+
+INSTANTIATE_TEST_SUITE_P(Pushed, OtherPushesTest,
+                         testing::Values("hopper_push", "one_leg", "two_legs", "icub_torque_push"),
+                         [](const auto& param) { return param.param; });
+
+TEST(OtherPushesControlTest, AnEpisodeWithinAPushTakesNoOthers) {
+  const Scenario scenario = Shipped("one_leg");
+  Episode within = StartEpisode(scenario);
+  RunEpisode(&within, {}, TickAt(scenario.pushes[0].start_s, scenario.world.step_s));
+  EXPECT_THROW(ForkWithPushes(within, scenario.pushes), ContractViolation);
+}
 
 // Commands a little more torque at every call; how many there were, all its copies count together.
 class SecretCounter final : public Controller {

@@ -57,6 +57,7 @@ class ScriptedWorld final : public World {
   const std::string& invalid_reason() const override { return reason_; }
   double mass_kg() const override { return 2.0; }
   const std::vector<JointInfo>& joints() const override { return joints_; }
+  void ReplacePushes(const std::vector<Push>&, Tick) override {}
   void Apply(const ActuatorCommand&) override {}
   void Step(Tick) override {}
 
