@@ -71,6 +71,8 @@ constexpr std::string_view UnitOf(std::string_view name) {
        {"_per_s2", "1/s^2"},
        {"_per_s", "1/s"},
        {"_per_N2", "1/N^2"},
+       {"_Nspkg", "N s/kg"},
+       {"_mg", "m g"},
        {"_kgm2ps", "kg m^2/s"},
        {"_radps", "rad/s"},
        {"_mps2", "m/s^2"},

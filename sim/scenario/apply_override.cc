@@ -51,6 +51,34 @@ ConfigTree* Value(ConfigTree* map, const std::string& key, const ConfigPlace& pl
   return &map->children.back();
 }
 
+/// Keys of a push of which the file's give way to another that an override sets: they tell the same
+/// thing.
+const std::vector<std::vector<std::string>>& RivalsInPush() {
+  static const std::vector<std::vector<std::string>> kRivals{
+      {"force_N", "magnitude_N", "magnitude_mg", "impulse_Nspkg"}, {"start_s", "at_phase"}};
+  return kRivals;
+}
+
+bool Has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Takes out of `push` what the file says and `key` now says in another way.
+void RemoveRivals(const std::string& key, ConfigTree* push) {
+  for (const std::vector<std::string>& rivals : RivalsInPush()) {
+    if (!Has(rivals, key)) continue;
+    for (std::size_t i = push->keys.size(); i-- > 0;) {
+      const std::string& name = push->keys[i].text;
+      // Where a push starts by the clock, the rest of what its phase was goes too.
+      const bool is_of_phase = key == "start_s" && (name == "foot" || name == "after_s");
+      const bool is_rival = (Has(rivals, name) && name != key) || is_of_phase;
+      if (!is_rival || !push->children[i].place.source->is_file) continue;
+      push->keys.erase(push->keys.begin() + static_cast<std::ptrdiff_t>(i));
+      push->children.erase(push->children.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+}
+
 }  // namespace
 
 void ApplyOverride(const std::string& assignment, ConfigTree* root, const NoteSink& note) {
@@ -63,12 +91,16 @@ void ApplyOverride(const std::string& assignment, ConfigTree* root, const NoteSi
   const std::string assigned = RenamedPath(assignment.substr(0, equals), place, note);
   ConfigTree* tree = root;
   std::string path;
-  for (const std::string& part : PartsOf(assigned, place)) {
+  const std::vector<std::string> parts = PartsOf(assigned, place);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string& part = parts[i];
     if (tree->kind == ConfigKind::kNull) tree->kind = ConfigKind::kMap;
     if (tree->kind == ConfigKind::kScalar) {
       FailAt(place, path + " is '" + tree->scalar + "', which has no '" + part + "'");
     }
     const bool is_list = tree->kind == ConfigKind::kList;
+    const bool is_of_push = i == 2 && parts.size() == 3 && parts[0] == "pushes";
+    if (is_of_push && tree->kind == ConfigKind::kMap) RemoveRivals(part, tree);
     tree = is_list ? Element(tree, part, path, place) : Value(tree, part, place);
     path += (path.empty() ? "" : ".") + part;
   }

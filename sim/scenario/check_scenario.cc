@@ -185,16 +185,24 @@ void FailAtEither(const ConfigTree& root, const std::string& path, const std::st
   FailAt(culprit->place, path + " " + what);
 }
 
-void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
+void CheckMotion(const Scenario& scenario, const ConfigTree& root) {
   CheckPlant(scenario, root);
   CheckMode(scenario, root);
   CheckSenses(scenario, root);
   CheckRates(scenario, root);
   CheckMpc(scenario.control.mpc, root);
   CheckGaits(scenario, root);
+}
+
+void CheckSurroundings(const Scenario& scenario, const ConfigTree& root) {
   CheckGround(scenario, root);
   CheckPushes(scenario, root);
   CheckPlane(scenario, root);
+}
+
+void CheckScenario(const Scenario& scenario, const ConfigTree& root) {
+  CheckMotion(scenario, root);
+  CheckSurroundings(scenario, root);
 }
 
 }  // namespace sidestep

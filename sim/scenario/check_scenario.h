@@ -13,4 +13,11 @@ namespace sidestep {
 /// throws ConfigError at the offending place.
 void CheckScenario(const Scenario& scenario, const ConfigTree& root);
 
+/// Its first part: robot, rates, boxes and gaits. What this passes has a nominal gait, by which
+/// pushes are told.
+void CheckMotion(const Scenario& scenario, const ConfigTree& root);
+
+/// The rest of it: ground, pushes, and what they do to a robot in a plane.
+void CheckSurroundings(const Scenario& scenario, const ConfigTree& root);
+
 }  // namespace sidestep

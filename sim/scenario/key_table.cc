@@ -37,6 +37,17 @@ class KeyCollector {
     (*this)(key, T(), range, meaning);
     keys_->back().default_value.clear();
   }
+  template <typename T>
+  void operator()(const char* key, const std::optional<T>& /*field*/, Meaning meaning) {
+    (*this)(key, T(), meaning);
+    keys_->back().default_value.clear();
+  }
+  void operator()(const char* key, const StridePhase& /*field*/, Range range, Meaning meaning) {
+    Add(key, KeyKind::kNumberOrChoice, range, "", meaning);
+    for (const auto& entry : EnumNames<PhaseName>::kNames) {
+      keys_->back().choices.emplace_back(entry.second);
+    }
+  }
   void operator()(const char* key, std::uint64_t field, Meaning meaning) {
     Add(key, KeyKind::kInteger, std::to_string(field), meaning).min = 0.0;
   }

@@ -19,11 +19,12 @@ enum class KeyKind {
   kPixelSize,  ///< A list of two even integers, each within the bounds.
   kBool,
   kText,
-  kChoice,      ///< One of `choices`.
-  kMap,         ///< A map of `children`.
-  kMapOrList,   ///< Such a map, or a list of at least one of them.
-  kList,        ///< A list of such maps; may be empty.
-  kPushes,      ///< A list of maps that tell a force in one of two ways; may be empty.
+  kChoice,          ///< One of `choices`.
+  kNumberOrChoice,  ///< A number within the bounds, or one of `choices`.
+  kMap,             ///< A map of `children`.
+  kMapOrList,       ///< Such a map, or a list of at least one of them.
+  kList,            ///< A list of such maps; may be empty.
+  kPushes,      ///< A list of maps that tell a force and a start in one of some ways; may be empty.
   kMapOrBool,   ///< Such a map, or true or false.
   kMetricsMap,  ///< A map from metrics to what is expected of them.
 };

@@ -29,7 +29,8 @@ std::string RangeText(const KeyInfo& key) {
   std::string text = is_list ? "each " : "";
   text += key.excludes_min ? "above " : "";
   text += NumberText(*key.min);
-  return text + (key.max ? " to " + NumberText(*key.max) : " and more");
+  text += key.max ? " to " + NumberText(*key.max) : " and more";
+  return text + (key.choices.empty() ? "" : ", or " + Joined(key.choices));
 }
 
 std::string DefaultText(const KeyInfo& key) {

@@ -3,6 +3,7 @@
 // read_fields: reads any struct that lists its fields with VisitFields (controller/types/field.h).
 
 #include <Eigen/Core>
+#include <cctype>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -70,6 +71,27 @@ class FieldReader {
     if (!Find(key, meaning)) return;
     field.emplace();
     (*this)(key, *field, range, meaning);
+  }
+
+  /// A named value without a default, likewise.
+  template <typename T>
+  void operator()(const char* key, std::optional<T>& field, Meaning meaning) {
+    if (!Find(key, meaning)) return;
+    field.emplace();
+    (*this)(key, *field, meaning);
+  }
+
+  /// A number within `range`, or a name.
+  void operator()(const char* key, StridePhase& field, Range range, Meaning meaning) {
+    const auto node = Find(key, meaning);
+    if (!node) return;
+    const std::string& text = node->tree().scalar;
+    const bool is_name = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+    if (is_name) {
+      field.name = ReadEnum<PhaseName>(*node);
+    } else {
+      field.share = node->Number(range.min, range.max);
+    }
   }
 
   /// Only up to 2^63 - 1: YAML's integers are read as signed ones.

@@ -15,6 +15,7 @@
 #include "sim/scenario/check_scenario.h"
 #include "sim/scenario/read_fields.h"
 #include "sim/scenario/read_sections.h"
+#include "sim/scenario/resolve_pushes.h"
 
 namespace sidestep {
 namespace {
@@ -85,7 +86,8 @@ void ReadBasics(ConfigMap& map, Scenario* scenario) {
 /// Reads the sections: structs as they are, and what files spell in a form of its own.
 class SectionReader {
  public:
-  SectionReader(ConfigMap* map, const RobotDescription* robot) : map_(map), robot_(robot) {}
+  SectionReader(ConfigMap* map, const RobotDescription* robot, std::vector<PushEntry>* pushes)
+      : map_(map), robot_(robot), pushes_(pushes) {}
 
   template <typename T>
   void operator()(const char* key, T& section, Meaning /*meaning*/) {
@@ -94,8 +96,8 @@ class SectionReader {
   void operator()(const char* key, std::vector<GaitParams>& gaits, Meaning /*meaning*/) {
     gaits = ReadGaits(map_->Optional(key), *robot_);
   }
-  void operator()(const char* key, std::vector<Push>& pushes, Meaning /*meaning*/) {
-    if (const auto node = map_->Optional(key)) pushes = ReadPushes(*node);
+  void operator()(const char* key, std::vector<Push>& /*pushes*/, Meaning /*meaning*/) {
+    if (const auto node = map_->Optional(key)) *pushes_ = ReadPushes(*node);
   }
   void operator()(const char* key, std::vector<Expectation>& expect, Meaning /*meaning*/) {
     if (const auto node = map_->Optional(key)) expect = ReadExpectations(*node);
@@ -107,6 +109,7 @@ class SectionReader {
  private:
   ConfigMap* map_;
   const RobotDescription* robot_;
+  std::vector<PushEntry>* pushes_;  ///< What they come to, only the whole scenario tells.
 };
 
 /// `file` is empty of a scenario that has none.
@@ -121,9 +124,12 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
   ReadVersion(map);
   ReadBasics(map, &scenario);
   ReadRobot(map.Required("robot"), map.Optional("control"), note, &scenario);
-  Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot));
+  std::vector<PushEntry> pushes;
+  Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot, &pushes));
   map.RejectUnknownKeys();
-  CheckScenario(scenario, root);
+  CheckMotion(scenario, root);
+  scenario.pushes = ResolvePushes(pushes, scenario, root);
+  CheckSurroundings(scenario, root);
   return scenario;
 }
 

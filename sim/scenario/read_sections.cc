@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/scenario/read_sections.h"
 
-#include <cmath>
+#include <array>
 #include <string>
 
 #include "models/support/nearest_name.h"
@@ -30,15 +30,26 @@ GaitParams ReadGait(const ConfigNode& node, const GaitParams& defaults) {
 
 /// Refuses two ways to tell the force, and none.
 void CheckForce(const PushEntry& entry, ConfigMap& map, const ConfigNode& node) {
-  for (const char* key : {"magnitude_N", "direction_rad"}) {
-    const auto other = map.Optional(key);
-    if (entry.force_N && other) other->Fail("and force_N exclude each other");
+  constexpr std::array kSizes{"magnitude_N", "magnitude_mg", "impulse_Nspkg"};
+  const char* size_key = nullptr;
+  for (const char* key : kSizes) {
+    const auto size = map.Optional(key);
+    if (!size) continue;
+    const char* rival = entry.force_N ? "force_N" : size_key;
+    if (rival != nullptr) size->Fail("and " + std::string(rival) + " exclude each other");
+    size_key = key;
   }
-  if (entry.force_N) return;
-  if (!entry.magnitude_N && !entry.direction_rad) {
-    node.Fail("needs force_N, or magnitude_N and direction_rad");
+  const auto direction = map.Optional("direction_rad");
+  if (entry.force_N) {
+    if (direction) direction->Fail("and force_N exclude each other");
+    return;
   }
-  map.Required("magnitude_N");
+  if (size_key == nullptr && !direction) {
+    node.Fail(
+        "needs force_N, or direction_rad and one of magnitude_N, magnitude_mg, "
+        "impulse_Nspkg");
+  }
+  if (size_key == nullptr) map.Required(kSizes.front());
   map.Required("direction_rad");
   const auto frame = map.Optional("frame");
   if (frame && entry.push.frame != PushFrame::kHeading) {
@@ -46,22 +57,26 @@ void CheckForce(const PushEntry& entry, ConfigMap& map, const ConfigNode& node) 
   }
 }
 
-Push ReadPush(const ConfigNode& node) {
+/// Likewise of the start.
+void CheckStart(const PushEntry& entry, ConfigMap& map) {
+  if (!entry.at_phase) {
+    map.Required("start_s");
+    for (const char* key : {"foot", "after_s"}) {
+      if (const auto other = map.Optional(key)) other->Fail("goes with at_phase, which is absent");
+    }
+  } else if (entry.start_s) {
+    map.Required("at_phase").Fail("and start_s exclude each other");
+  }
+}
+
+PushEntry ReadPush(const ConfigNode& node) {
   ConfigMap map = node.Map();
   PushEntry entry;
   PushEntry::VisitFields(entry, FieldReader(&map));
   CheckForce(entry, map, node);
+  CheckStart(entry, map);
   map.RejectUnknownKeys();
-  Push push = entry.push;
-  if (entry.force_N) {
-    push.force_N = *entry.force_N;
-    return push;
-  }
-  const double direction_rad = *entry.direction_rad;
-  push.force_N =
-      *entry.magnitude_N * Eigen::Vector3d(std::cos(direction_rad), std::sin(direction_rad), 0);
-  push.frame = PushFrame::kHeading;
-  return push;
+  return entry;
 }
 
 const MetricInfo& ReadMetric(const ConfigMap& map, const std::string& name) {
@@ -113,8 +128,8 @@ std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node,
   return gaits;
 }
 
-std::vector<Push> ReadPushes(const ConfigNode& node) {
-  std::vector<Push> pushes;
+std::vector<PushEntry> ReadPushes(const ConfigNode& node) {
+  std::vector<PushEntry> pushes;
   for (const ConfigNode& element : node.List()) pushes.push_back(ReadPush(element));
   return pushes;
 }

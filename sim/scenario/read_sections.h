@@ -17,8 +17,8 @@ namespace sidestep {
 std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node,
                                   const RobotDescription& robot);
 
-/// `pushes: [...]`, each with force_N, or with magnitude_N and direction_rad in the heading frame.
-std::vector<Push> ReadPushes(const ConfigNode& node);
+/// `pushes: [...]`, each with one way to tell its force and one to tell its start.
+std::vector<PushEntry> ReadPushes(const ConfigNode& node);
 
 /// `expect: {metric: number | bool | {min, max}}`, in the file's order.
 std::vector<Expectation> ReadExpectations(const ConfigNode& node);

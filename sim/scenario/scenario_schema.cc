@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "controller/types/field.h"
@@ -53,13 +54,29 @@ Json MapSchema(const KeyInfo& map, Json type = "object") {
   return schema;
 }
 
-/// A push tells its force in one of two ways.
+/// One of the ways in which a push may tell its force and its start: these keys and none of
+/// their rivals.
+Json PushForm(const char* force, const char* start) {
+  Json form{{"required", {force, start}}};
+  for (const char* key : {"force_N", "magnitude_N", "magnitude_mg", "impulse_Nspkg"}) {
+    if (std::string_view(key) != force) form["properties"][key] = false;
+  }
+  const bool has_direction = std::string_view(force) != "force_N";
+  if (has_direction) form["required"].push_back("direction_rad");
+  if (!has_direction) form["properties"]["direction_rad"] = false;
+  for (const char* key : {"start_s", "at_phase"}) {
+    if (std::string_view(key) != start) form["properties"][key] = false;
+  }
+  return form;
+}
+
 Json PushesSchema(const KeyInfo& pushes) {
   Json push = MapSchema(pushes);
-  push["oneOf"] = {
-      {{"required", {"force_N"}},
-       {"properties", {{"magnitude_N", false}, {"direction_rad", false}}}},
-      {{"required", {"magnitude_N", "direction_rad"}}, {"properties", {{"force_N", false}}}}};
+  for (const char* force : {"force_N", "magnitude_N", "magnitude_mg", "impulse_Nspkg"}) {
+    for (const char* start : {"start_s", "at_phase"}) {
+      push["oneOf"].push_back(PushForm(force, start));
+    }
+  }
   return {{"type", "array"}, {"items", push}};
 }
 
@@ -101,6 +118,8 @@ Json ValueSchema(const KeyInfo& key) {
       return {{"type", "string"}};
     case KeyKind::kChoice:
       return {{"enum", key.choices}};
+    case KeyKind::kNumberOrChoice:
+      return {{"oneOf", {NumberSchema(key, "number"), {{"enum", key.choices}}}}};
     case KeyKind::kMap:
       return MapSchema(key);
     case KeyKind::kMapOrList: {

@@ -57,7 +57,12 @@ struct SectionWriter {
 
   void operator()(const char* key, const std::vector<Push>& pushes, Meaning /*meaning*/) {
     std::vector<PushEntry> entries;
-    for (const Push& push : pushes) entries.push_back({push, push.force_N, {}, {}});
+    for (const Push& push : pushes) {
+      PushEntry& entry = entries.emplace_back();
+      entry.push = push;
+      entry.force_N = push.force_N;
+      entry.start_s = push.start_s;
+    }
     yaml->List(key, entries);
   }
 

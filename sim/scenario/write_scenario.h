@@ -8,9 +8,9 @@
 
 namespace sidestep {
 
-/// The scenario as YAML with every default written out and every push as force_N. Reading it back
-/// gives the same scenario, bit for bit. A robot that ships is written by its name, any other by
-/// the absolute path of its robot.yaml, so that the text may be put anywhere.
+/// The scenario as YAML with every default written out and every push by its force_N and start_s.
+/// Reading it back gives the same scenario, bit for bit. A robot that ships is written by its name,
+/// any other by the absolute path of its robot.yaml, so that the text may be put anywhere.
 std::string ResolvedYaml(const Scenario& scenario);
 
 }  // namespace sidestep

@@ -87,6 +87,13 @@ class YamlWriter {
   void operator()(const char* key, const std::optional<T>& value, Range range, Meaning meaning) {
     if (value) (*this)(key, *value, range, meaning);
   }
+  template <typename T>
+  void operator()(const char* key, const std::optional<T>& value, Meaning meaning) {
+    if (value) (*this)(key, *value, meaning);
+  }
+  void operator()(const char* key, const StridePhase& value, Range /*range*/, Meaning /*meaning*/) {
+    Line(key, value.name ? std::string(EnumName(*value.name)) : YamlNumber(value.share));
+  }
   void operator()(const char* key, std::uint64_t value, Meaning /*meaning*/) {
     Line(key, std::to_string(value));
   }

@@ -109,11 +109,23 @@ TEST_F(ReadSectionsTest, PushErrors) {
       ErrorOfEdit("force_N: [0, 5, 0]", "force_N: [0, 1e6, 0]"),
       "a.yaml:13:32: error: pushes.0.force_N.1 = 1e+06 violates -1e+05 <= force_N.1 <= 1e+05");
   EXPECT_EQ(ErrorOfEdit("force_N: [0, 5, 0], ", ""),
-            "a.yaml:13:5: error: pushes.0 needs force_N, or magnitude_N and direction_rad");
+            "a.yaml:13:5: error: pushes.0 needs force_N, or direction_rad and one of magnitude_N, "
+            "magnitude_mg, impulse_Nspkg");
   EXPECT_EQ(ErrorOfEdit("force_N: [0, 5, 0]", "force_N: [0, 5, 0], magnitude_N: 5"),
             "a.yaml:13:52: error: pushes.0.magnitude_N and force_N exclude each other");
   EXPECT_EQ(ErrorOfEdit("force_N: [0, 5, 0]", "force_N: [0, 5, 0], direction_rad: 1"),
             "a.yaml:13:54: error: pushes.0.direction_rad and force_N exclude each other");
+  EXPECT_EQ(ErrorOfEdit("magnitude_N: 2", "magnitude_N: 2, impulse_Nspkg: 1"),
+            "a.yaml:14:49: error: pushes.1.impulse_Nspkg and magnitude_N exclude each other");
+  EXPECT_EQ(ErrorOfEdit("start_s: 2", "start_s: 2, at_phase: 0.5"),
+            "a.yaml:13:61: error: pushes.0.at_phase and start_s exclude each other");
+  EXPECT_EQ(ErrorOfEdit("start_s: 2", "start_s: 2, foot: left"),
+            "a.yaml:13:57: error: pushes.0.foot goes with at_phase, which is absent");
+  EXPECT_EQ(ErrorOfEdit("start_s: 2", "at_phase: mid_swin"),
+            "a.yaml:13:49: error: pushes.0.at_phase = 'mid_swin' is not known; did you mean "
+            "'mid_swing'?");
+  EXPECT_EQ(ErrorOfEdit("start_s: 2", "at_phase: 1.5"),
+            "a.yaml:13:49: error: pushes.0.at_phase = 1.5 violates 0 <= at_phase <= 1");
   EXPECT_EQ(ErrorOfEdit("direction_rad: 0, ", ""),
             "a.yaml:14:5: error: pushes.1.direction_rad is missing (required)");
   EXPECT_EQ(ErrorOfEdit("magnitude_N: 2, ", ""),
@@ -135,7 +147,8 @@ TEST_F(ReadSectionsTest, PushErrors) {
             "heading, body");
   EXPECT_EQ(ErrorOfEdit("point_m: [0, 0, 0.1]", "torque_Nm: 1"),
             "a.yaml:13:68: error: pushes.0.torque_Nm is not a known key; known keys: body, "
-            "force_N, magnitude_N, direction_rad, start_s, duration_s, point_m, profile, frame");
+            "force_N, magnitude_N, magnitude_mg, impulse_Nspkg, direction_rad, start_s, at_phase, "
+            "foot, after_s, duration_s, point_m, profile, frame");
 }
 
 TEST_F(ReadSectionsTest, ExpectationErrors) {

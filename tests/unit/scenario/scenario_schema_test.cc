@@ -61,7 +61,8 @@ void ForEachKey(const std::string& path, const KeyInfo& key,
   act(path, key);
   for (const KeyInfo& child : key.children) {
     std::string parent = path.empty() ? "" : path + ".";
-    const bool is_polar = child.name == "magnitude_N" || child.name == "direction_rad";
+    const bool is_polar = child.name == "magnitude_N" || child.name == "magnitude_mg" ||
+                          child.name == "impulse_Nspkg" || child.name == "direction_rad";
     if (IsListOfMaps(key)) parent += is_polar ? "1." : "0.";
     ForEachKey(parent + child.name, child, act);
   }
