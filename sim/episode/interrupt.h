@@ -37,14 +37,18 @@ inline void HandleInterrupt(int signal) {
 /// True once SIGINT or SIGTERM arrived.
 inline bool InterruptRequested() { return internal::interrupt_flag.load(); }
 
-/// Makes the first SIGINT or SIGTERM raise the flag; a later one ends the program at once. Call
-/// once, from main.
-inline void InstallInterruptHandlers() {
+/// Makes the first such signal raise the flag; a later one ends the program at once.
+inline void InterruptOn(int signal) {
   struct sigaction action {};
   action.sa_handler = internal::HandleInterrupt;
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  sigaction(signal, &action, nullptr);
+}
+
+/// InterruptOn SIGINT and SIGTERM. Call once, from main.
+inline void InstallInterruptHandlers() {
+  InterruptOn(SIGINT);
+  InterruptOn(SIGTERM);
 }
 
 }  // namespace sidestep

@@ -75,9 +75,10 @@ std::vector<Room> SimRooms() {
       {"sim/plot", kTools},
       {"sim/report", kTools + Folders{"sim/plot/plot_run.h"}},  // the plots' names
       {"sim/check", kTools},
+      {"sim/sweep", kTools + kDoor + Folders{"sim/episode"}},
       {"sim/apps/commands",
        kTools + Folders{"controller/mpc", "controller/mpc/problem", "sim/episode", "sim/render",
-                        "sim/plot", "sim/report", "sim/check", "sim/limit"},
+                        "sim/plot", "sim/report", "sim/check", "sim/limit", "sim/sweep"},
        true},
       {"sim/apps", kSupport + Folders{"sim/episode/interrupt.h", "sim/apps/commands"}, true},
       // A program of a user's own, beside ours.

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/sweep/read_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "models/support/config_error.h"
+#include "models/support/config_node.h"
+#include "sim/scenario/find_scenario.h"
+
+namespace sidestep {
+namespace {
+
+constexpr std::int64_t kFormatVersion = 1;
+constexpr std::int64_t kMostSeeds = 100'000;
+constexpr double kGapShare = 0.125;  // of the ladder's smallest gap: three halvings
+
+ConfigPlace OptionPlace(const std::string& option) {
+  return {std::make_shared<const ConfigSource>(ConfigSource{option, false}), 1, 1};
+}
+
+ConfigTree ParseOption(const std::string& option, const std::string& value) {
+  return ParseConfig(value, ConfigSource{option + " " + value, false});
+}
+
+void CheckWord(const std::string& word, const ConfigPlace& place) {
+  const auto is_good = [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '_' || letter == '-' || letter == '.';
+  };
+  constexpr std::size_t kMaxLength = 100;
+  const bool is_word = !word.empty() && word.size() <= kMaxLength && word[0] != '.' &&
+                       word[0] != '-' && std::all_of(word.begin(), word.end(), is_good);
+  if (!is_word) {
+    FailAt(place, "name '" + word + "' must be letters, digits, '_', '-' or '.', and begin with " +
+                      "neither '-' nor '.'");
+  }
+}
+
+// A map of dotted keys as assignments.
+std::vector<std::string> ReadAssignments(const ConfigTree& map, const std::string& path) {
+  std::vector<std::string> assignments;
+  if (map.kind == ConfigKind::kNull) return assignments;
+  if (map.kind != ConfigKind::kMap) FailAt(map.place, path + " must be a map of a scenario's keys");
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    CheckKey(map.keys[i].text, map.keys[i].place);
+    assignments.push_back(map.keys[i].text + "=" + FlowText(map.children[i]));
+  }
+  return assignments;
+}
+
+std::vector<ControllerSpec> ReadControllers(const ConfigTree& map) {
+  if (map.kind != ConfigKind::kMap || map.keys.empty()) {
+    FailAt(map.place, "controllers must be a map from names to overrides");
+  }
+  std::vector<ControllerSpec> controllers;
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    const std::string& name = map.keys[i].text;
+    CheckWord(name, map.keys[i].place);
+    controllers.push_back({name, ReadAssignments(map.children[i], "controllers." + name)});
+  }
+  return controllers;
+}
+
+std::vector<std::uint64_t> ReadSeeds(const ConfigNode& node) {
+  constexpr std::int64_t kMax = std::numeric_limits<std::int64_t>::max();
+  std::vector<std::uint64_t> seeds;
+  if (node.tree().kind == ConfigKind::kList) {
+    for (const ConfigNode& seed : node.List()) {
+      seeds.push_back(static_cast<std::uint64_t>(seed.Integer(0, kMax)));
+      const bool is_twice = std::count(seeds.begin(), seeds.end(), seeds.back()) > 1;
+      if (is_twice) seed.Fail("= " + seed.Text() + " is there twice");
+    }
+    if (seeds.empty()) node.Fail("is empty");
+    return seeds;
+  }
+  const std::int64_t count = node.Integer(1, kMostSeeds);
+  for (std::int64_t seed = 1; seed <= count; ++seed) {
+    seeds.push_back(static_cast<std::uint64_t>(seed));
+  }
+  return seeds;
+}
+
+LimitSpec LimitOf(const Axis& axis, const ConfigPlace& place) {
+  LimitSpec limit;
+  limit.key = axis.key;
+  if (axis.kind != AxisKind::kGrid) FailAt(place, axis.key + ": a ladder is not drawn by chance");
+  for (const std::string& value : axis.values) {
+    const std::optional<double> strength = ParseNumber(value);
+    const bool is_good =
+        strength && *strength > 0.0 && (limit.ladder.empty() || *strength > limit.ladder.back());
+    if (!is_good) FailAt(place, axis.key + ": a ladder is of rising numbers above 0");
+    limit.ladder.push_back(*strength);
+  }
+  double gap = limit.ladder.front();
+  for (std::size_t i = 1; i < limit.ladder.size(); ++i) {
+    gap = std::min(gap, limit.ladder[i] - limit.ladder[i - 1]);
+  }
+  limit.resolution = kGapShare * gap;
+  return limit;
+}
+
+void AddAxis(Axis axis, const ConfigPlace& place, SweepSpec* spec) {
+  for (const Axis& other : spec->axes) {
+    if (other.key == axis.key) FailAt(place, axis.key + " is varied twice");
+    const bool is_drawn = axis.kind != AxisKind::kGrid && other.kind == axis.kind;
+    if (is_drawn && other.count != axis.count) {
+      FailAt(place, axis.key + " = " + axis.text + " must have as many values as " + other.key +
+                        ", " + std::to_string(other.count) + ": they are drawn together");
+    }
+  }
+  spec->axes.push_back(std::move(axis));
+}
+
+// The limit's ladder is the axis that varies its key.
+void TakeLadder(const std::string& key, const ConfigPlace& place, SweepSpec* spec) {
+  const auto found = std::find_if(spec->axes.begin(), spec->axes.end(),
+                                  [&](const Axis& axis) { return axis.key == key; });
+  if (found == spec->axes.end()) {
+    CheckKey(key, place);
+    FailAt(place, "the limit " + key + " has no ladder: vary it too, or write it after the key");
+  }
+  spec->limit = LimitOf(*found, place);
+  spec->axes.erase(found);
+}
+
+void ReadLimit(const ConfigNode& node, SweepSpec* spec) {
+  if (node.tree().kind == ConfigKind::kScalar) {
+    TakeLadder(node.Text(), node.tree().place, spec);
+    return;
+  }
+  ConfigMap map = node.Map();
+  const std::string key = map.Required("key").Text();
+  if (const auto ladder = map.Optional("ladder")) {
+    spec->limit = LimitOf(ReadAxis(key, ladder->tree()), ladder->tree().place);
+  } else {
+    TakeLadder(key, node.tree().place, spec);
+  }
+  if (const auto resolution = map.Optional("resolution")) {
+    spec->limit->resolution = resolution->Number(std::numeric_limits<double>::min(), 1e12);
+  }
+  map.RejectUnknownKeys();
+}
+
+std::filesystem::path AbsoluteScenario(const std::string& word,
+                                       const std::filesystem::path& folder) {
+  const std::filesystem::path beside = folder / word;
+  const bool is_beside = std::filesystem::is_regular_file(beside);
+  return std::filesystem::absolute(is_beside ? beside : FindScenario(word)).lexically_normal();
+}
+
+void ReadVersion(ConfigMap* map) {
+  const ConfigNode version = map->Required("sidestep_sweep");
+  if (version.Integer(0, std::numeric_limits<std::int32_t>::max()) != kFormatVersion) {
+    version.Fail("= " + version.Text() + " is a format that this program can't read; it reads 1");
+  }
+}
+
+void ReadNames(const std::filesystem::path& file, ConfigMap* map, SweepSpec* spec) {
+  const ConfigNode name = map->Required("name");
+  spec->name = name.Text();
+  CheckWord(spec->name, name.tree().place);
+  const ConfigNode scenario = map->Required("scenario");
+  try {
+    spec->scenario = AbsoluteScenario(scenario.Text(), file.parent_path());
+  } catch (const ConfigError&) {
+    scenario.Fail("= '" + scenario.Text() +
+                  "' is no scenario, neither beside this file nor one that ships");
+  }
+}
+
+void ReadAxes(const ConfigNode& node, SweepSpec* spec) {
+  const ConfigTree& axes = node.tree();
+  if (axes.kind != ConfigKind::kMap) node.Fail("must be a map from keys to their values");
+  for (std::size_t i = 0; i < axes.keys.size(); ++i) {
+    CheckKey(axes.keys[i].text, axes.keys[i].place);
+    AddAxis(ReadAxis(axes.keys[i].text, axes.children[i]), axes.keys[i].place, spec);
+  }
+}
+
+SweepSpec ReadSweepFile(const std::filesystem::path& file, const ConfigTree& root) {
+  ConfigMap map(root, "");
+  SweepSpec spec;
+  ReadVersion(&map);
+  ReadNames(file, &map, &spec);
+  if (const auto set = map.Optional("set")) spec.set = ReadAssignments(set->tree(), "set");
+  if (const auto vary = map.Optional("vary")) ReadAxes(*vary, &spec);
+  if (const auto limit = map.Optional("limit")) ReadLimit(*limit, &spec);
+  if (const auto given = map.Optional("controllers")) {
+    spec.controllers = ReadControllers(given->tree());
+  }
+  if (const auto seeds = map.Optional("seeds")) spec.seeds = ReadSeeds(*seeds);
+  if (const auto seed = map.Optional("sample_seed")) {
+    spec.sample_seed =
+        static_cast<std::uint64_t>(seed->Integer(0, std::numeric_limits<std::int64_t>::max()));
+  }
+  map.RejectUnknownKeys();
+  return spec;
+}
+
+void AddLimitOption(const std::string& limit, SweepSpec* spec) {
+  if (limit.find('=') == std::string::npos) {
+    TakeLadder(limit, OptionPlace("--limit " + limit), spec);
+  } else {
+    spec->limit = LimitOf(ParseAxis("--limit", limit), OptionPlace("--limit " + limit));
+  }
+}
+
+void AddOptions(const SweepOptions& options, SweepSpec* spec) {
+  for (const std::string& assignment : options.set) {
+    const ConfigPlace place = OptionPlace("--set " + assignment);
+    if (assignment.find('=') == std::string::npos) FailAt(place, "must read key=value");
+    spec->set.push_back(assignment);
+  }
+  for (const std::string& vary : options.vary) {
+    AddAxis(ParseAxis("--vary", vary), OptionPlace("--vary " + vary), spec);
+  }
+  if (!options.limit.empty()) AddLimitOption(options.limit, spec);
+  if (options.resolution > 0.0) {
+    if (!spec->limit)
+      throw ConfigError("--resolution: error: goes with a limit, and there is none");
+    spec->limit->resolution = options.resolution;
+  }
+  for (const std::string& controller : options.controllers) {
+    for (ControllerSpec& one : ReadControllers(ParseOption("--controller", controller))) {
+      spec->controllers.push_back(std::move(one));
+    }
+  }
+  if (!options.seeds.empty()) {
+    const ConfigTree seeds = ParseOption("--seeds", options.seeds);
+    spec->seeds = ReadSeeds(ConfigNode(seeds, "seeds"));
+  }
+}
+
+// What only the whole of it can tell.
+void CheckWhole(const SweepSpec& spec) {
+  for (const ControllerSpec& one : spec.controllers) {
+    const auto twice =
+        std::count_if(spec.controllers.begin(), spec.controllers.end(),
+                      [&](const ControllerSpec& other) { return other.name == one.name; });
+    if (twice > 1) throw ConfigError("controllers: error: '" + one.name + "' is there twice");
+  }
+  if (spec.limit) {
+    for (const Axis& axis : spec.axes) {
+      if (axis.key == spec.limit->key) {
+        throw ConfigError("limit: error: " + axis.key + " is varied too and has a ladder already");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+SweepSpec ReadSweep(const std::filesystem::path& target, const SweepOptions& options) {
+  const std::filesystem::path file = FindScenario(target);
+  const ConfigTree root = ReadConfigFile(file);
+  SweepSpec spec;
+  if (root.Find("sidestep_sweep") != nullptr) {
+    spec = ReadSweepFile(file, root);
+  } else {
+    spec.name = file.stem().string();
+    spec.scenario = std::filesystem::absolute(file).lexically_normal();
+  }
+  AddOptions(options, &spec);
+  if (spec.controllers.empty()) spec.controllers.push_back({"default", {}});
+  CheckWhole(spec);
+  return spec;
+}
+
+}  // namespace sidestep
