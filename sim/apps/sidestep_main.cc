@@ -58,6 +58,7 @@ int RunCommandLine(int argc, char** argv) {
   app.require_subcommand(1);
   AddRunCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
+  AddSweepCommand(app, exit_code);
   AddValidateCommand(app, exit_code);
   AddRenderCommand(app, exit_code);
   AddPlotCommand(app, exit_code);

@@ -19,6 +19,9 @@ void AddRunCommand(CLI::App& app, int& exit_code);
 /// `check PATH...`: runs many scenarios, prints a table, writes JUnit.
 void AddCheckCommand(CLI::App& app, int& exit_code);
 
+/// `sweep SWEEP`, and its parts `plan`, `run` and `merge`: many runs of a scenario, as a map.
+void AddSweepCommand(CLI::App& app, int& exit_code);
+
 /// `validate PATH...`: reads scenarios and says what is wrong with them.
 void AddValidateCommand(CLI::App& app, int& exit_code);
 
