@@ -62,7 +62,7 @@ constexpr auto EnumValues() {
 /// keys, metrics and columns share the endings.
 constexpr std::string_view UnitOf(std::string_view name) {
   // An ending that contains another comes before it.
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kEndings{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 25> kEndings{
       {{"_Nms_per_rad", "N m s/rad"},
        {"_Nm_per_rad", "N m/rad"},
        {"_radps_per_Nm", "rad/s/(N m)"},
