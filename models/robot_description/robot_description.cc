@@ -77,7 +77,7 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   RobotDescription robot;
   robot.file = std::filesystem::absolute(file).lexically_normal();
   ReadVersion(map);
-  robot.name = ReadName(map.Required("name"));
+  robot.name = ReadWord(map.Required("name"));
   robot.com_height_m = map.Required("com_height_m").Number(0.01, kMaxLength_m);
   if (map.Optional("urdf")) {
     if (map.Optional("mjcf")) map.FailAtKey("mjcf", "can't be beside a urdf");

@@ -8,6 +8,7 @@
 
 #include "models/robot_description/force_shares.h"
 #include "models/support/nearest_name.h"
+#include "models/support/plain_word.h"
 
 namespace sidestep {
 namespace {
@@ -65,7 +66,7 @@ Eigen::VectorXd ReadPreferredCop(const ConfigNode& node, const Eigen::Matrix3Xd&
 FootDescription ReadFoot(const ConfigNode& node, const KnownParts* parts) {
   ConfigMap map = node.Map();
   FootDescription foot;
-  foot.name = ReadName(map.Required("name"));
+  foot.name = ReadWord(map.Required("name"));
   if (parts != nullptr) {
     foot.frame =
         ReadPart(map.Required("frame"), parts->names.sites, parts->frame_kind, parts->language);
@@ -103,6 +104,12 @@ std::map<std::string, double> ReadHome(const ConfigNode& node, const KnownParts&
 std::string ReadName(const ConfigNode& node) {
   std::string name = node.Text();
   if (name.empty()) node.Fail("must not be empty");
+  return name;
+}
+
+std::string ReadWord(const ConfigNode& node) {
+  std::string name = node.Text();
+  if (!IsPlainWord(name)) node.Fail("= '" + name + "' must be " + std::string(kPlainWordRule));
   return name;
 }
 

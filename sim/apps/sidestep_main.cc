@@ -2,11 +2,14 @@
 // sidestep: the program. Parses the command line, hands over to a command, and turns every way a
 // command may end into an exit code.
 
+#include <fcntl.h>
 #include <mujoco/mujoco.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -34,6 +37,16 @@ void PinThreads(char** argv) {
     setenv(name, "1", 1);
   }
   if (!is_pinned) execv("/proc/self/exe", argv);  // returns only if it fails: go on as we are
+}
+
+// A reader that goes away (`sidestep run ... | head -1`) ends no run. Standard streams that are
+// closed lead nowhere instead: the next file opened would take their place, and messages land in
+// it.
+void GuardStandardStreams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) open("/dev/null", O_RDWR);
+  }
 }
 
 // MuJoCo calls this on errors it can't return from; it must not come back to it.
@@ -87,6 +100,7 @@ int RunCommandLine(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace sidestep;  // main can't be inside it
+  GuardStandardStreams();
   PinThreads(argv);
   mju_user_error = EndOnMujocoError;
   InstallInterruptHandlers();

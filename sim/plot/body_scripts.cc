@@ -22,8 +22,9 @@ std::string TrueAndFelt(const std::string& quantity, const std::string& suffix, 
 
 // Distance of the centre of pressure from F along an axis of W: -m_y / f_z and m_x / f_z.
 std::string Pressure(const std::string& foot, bool is_x) {
-  const std::string force = "column(\"truth_f_F_W_" + foot + "_z_N\")";
-  const std::string moment = "column(\"truth_m_F_W_" + foot + (is_x ? "_y_Nm\")" : "_x_Nm\")");
+  const std::string force = "column(" + Verbatim("truth_f_F_W_" + foot + "_z_N") + ")";
+  const std::string moment =
+      "column(" + Verbatim("truth_m_F_W_" + foot + (is_x ? "_y_Nm" : "_x_Nm")) + ")";
   return "(" + force + " > " + kLeastLoad_N + " ? " + (is_x ? "-" : "") + moment + "/" + force +
          " : NaN)";
 }

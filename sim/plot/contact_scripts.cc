@@ -14,7 +14,7 @@ std::string OfFoot(const std::string& foot, const std::string& expression) {
   return "(strcol(\"foot\") eq " + Verbatim(foot) + " ? " + expression + " : NaN)";
 }
 
-std::string Column(const std::string& name) { return "(column(\"" + name + "\"))"; }
+std::string Column(const std::string& name) { return "(column(" + Verbatim(name) + "))"; }
 
 // The four edges of the box that the foothold may move in, turned by the foot's yaw.
 void AddBoxToTopView(const std::string& foot, const std::string& color, std::ostream& script) {

@@ -37,11 +37,12 @@ void PlotRun(const std::filesystem::path& run_dir) {
   if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
   WriteText(dir / plot::kThinnedFile, data.thinned_csv);
   WriteText(dir / plot::kPhaseFile, data.phase_csv);
+  // -d: a user's own ~/.gnuplot changes nothing.
   for (const plot::PlotScript& script : plot::AllScripts()) {
     const std::string file = script.name + ".gp";
     WriteText(dir / file, plot::Preamble(script.name) + script.body(data));
-    RunOrThrow({"gnuplot", file}, {}, dir);
-    RunOrThrow({"gnuplot", "-e", "format='png'", file}, {}, dir);
+    RunOrThrow({"gnuplot", "-d", file}, {}, dir);
+    RunOrThrow({"gnuplot", "-d", "-e", "format='png'", file}, {}, dir);
   }
 }
 

@@ -56,8 +56,6 @@ std::string StartPanels(const PlotData& data, const std::string& title, int rows
   return script.str();
 }
 
-std::string Quoted(const std::string& text) { return "\"" + text + "\""; }
-
 std::string Verbatim(const std::string& text) {
   std::string escaped = "'";
   for (const char c : text) {
@@ -68,7 +66,7 @@ std::string Verbatim(const std::string& text) {
 }
 
 std::string Curve(const std::string& column, const std::string& style, const std::string& title) {
-  return "'" + std::string(kThinnedFile) + "' using \"time_s\":" + Quoted(column) + " with lines " +
+  return "'" + std::string(kThinnedFile) + "' using 'time_s':" + Verbatim(column) + " with lines " +
          style + (title.empty() ? " notitle" : " title " + Verbatim(title));
 }
 

@@ -11,6 +11,7 @@
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
+#include "models/support/plain_word.h"
 #include "sim/scenario/apply_override.h"
 #include "sim/scenario/check_scenario.h"
 #include "sim/scenario/read_fields.h"
@@ -21,7 +22,6 @@ namespace sidestep {
 namespace {
 
 constexpr std::int64_t kFormatVersion = 1;
-constexpr std::size_t kMaxNameLength = 100;  // It names a folder; file systems allow 255.
 
 void ReadVersion(ConfigMap& map) {
   const ConfigNode version = map.Required("sidestep");
@@ -32,15 +32,8 @@ void ReadVersion(ConfigMap& map) {
 
 /// The name becomes a folder's, so it is a plain word.
 void CheckName(const ConfigNode& node) {
-  constexpr std::string_view kAllowed =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
-  std::string name = node.Text();
-  const bool is_word = !name.empty() && name.size() <= kMaxNameLength && name[0] != '.' &&
-                       name[0] != '-' && name.find_first_not_of(kAllowed) == std::string::npos;
-  if (!is_word) {
-    node.Fail("= '" + name + "' must be 1 to 100 letters, digits, '_', '-' or '.', and begin " +
-              "with neither '-' nor '.'");
-  }
+  const std::string name = node.Text();
+  if (!IsPlainWord(name)) node.Fail("= '" + name + "' must be " + std::string(kPlainWordRule));
 }
 
 // Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's, and

@@ -133,6 +133,27 @@ TEST(ExitCodeTest, HelpAndVersionAreZeroAndGoToStdout) {
   }
 }
 
+// `run ... | head -1` ended the run by SIGPIPE; with stderr closed, progress went into whatever
+// file was opened first.
+TEST(StandardStreamTest, NoneThatIsClosedTouchesARun) {
+  const ScratchFolder folder;
+  const std::string run = std::string(SIDESTEP_BINARY) + " run " +
+                          folder.Write("s.yaml", kStanding).string() + " --no-video --no-plots -o ";
+  const fs::path whole = folder.path() / "whole";
+  ASSERT_EQ(RunProcess({"bash", "-c", run + whole.string()}).exit_code, 0);
+  int count = 0;
+  for (const char* streams : {"2>&1 | true", ">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"}) {
+    const fs::path out = folder.path() / std::to_string(count++);
+    const ProcessResult result =
+        RunProcess({"bash", "-c", "set -o pipefail; " + run + out.string() + " " + streams});
+    EXPECT_EQ(result.exit_code, 0) << streams << result.err;
+    ASSERT_TRUE(fs::exists(out / "summary.json")) << streams;
+    EXPECT_EQ(SummaryOf(out)["verdict"], "PASS") << streams;
+    EXPECT_EQ(WithoutWallClock(out / "trajectory.csv"), WithoutWallClock(whole / "trajectory.csv"))
+        << streams;
+  }
+}
+
 TEST(OutputFolderTest, AFolderThatIsNotEmptyIsRefusedAndKept) {
   const ScratchFolder folder;
   const fs::path file = folder.Write("s.yaml", kStanding);

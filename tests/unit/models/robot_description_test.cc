@@ -133,7 +133,14 @@ TEST_F(RobotErrorTest, Version) {
 
 TEST_F(RobotErrorTest, Names) {
   EXPECT_EQ(ErrorOfEdit("mini", "name: mini", "name: ''"),
-            "robot.yaml:2:7: error: name must not be empty");
+            "robot.yaml:2:7: error: name = '' must be 1 to 100 letters, digits, '_', '-' or '.', "
+            "and begin with neither '-' nor '.'");
+  EXPECT_EQ(ErrorOfEdit("walker", "name: left", "name: '`touch PWNED`'"),
+            "robot.yaml:6:12: error: feet.0.name = '`touch PWNED`' must be 1 to 100 letters, "
+            "digits, '_', '-' or '.', and begin with neither '-' nor '.'");
+  EXPECT_EQ(ErrorOfEdit("walker", "name: left", "name: 'a,b'"),
+            "robot.yaml:6:12: error: feet.0.name = 'a,b' must be 1 to 100 letters, digits, '_', "
+            "'-' or '.', and begin with neither '-' nor '.'");
   EXPECT_EQ(ErrorOfEdit("mini", "base: trunk", "base: trnk"),
             "robot.yaml:4:7: error: base = 'trnk' is no floating body (a free joint, or slides x, "
             "z and hinge y) of the MJCF; did "

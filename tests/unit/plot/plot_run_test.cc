@@ -167,6 +167,34 @@ TEST(PlotRunTest, AMissingFileOrColumnIsNamed) {
   EXPECT_TRUE(Has(ErrorOf([&] { PlotRun(dir); }), "has no column 'truth_tilt_rad'"));
 }
 
+// Foreign folders hold any names. In gnuplot's double quotes a backtick runs a command.
+TEST(PlotRunTest, AFootsNameRunsNoCommand) {
+  const auto dir = FreshTestDir("hostile_foot");
+  WriteSyntheticRun(dir);
+  for (const char* file : {"trajectory.csv", "footsteps.csv"}) {
+    std::string text = TextOf(dir / file);
+    for (std::size_t at = 0; (at = text.find("left", at)) != std::string::npos;) {
+      text.replace(at, 4, "`touch PWNED`");
+    }
+    std::ofstream(dir / file, std::ios::binary) << text;
+  }
+  PlotRun(dir);
+  EXPECT_FALSE(std::filesystem::exists(dir / "plots" / "PWNED"));
+  EXPECT_TRUE(Has(TextOf(dir / "plots" / "contact_forces.svg"), "touch PWNED")) << "as a word";
+}
+
+TEST(PlotRunTest, AUsersOwnGnuplotSettingsChangeNothing) {
+  const auto home = FreshTestDir("home");
+  std::ofstream(home / ".gnuplot") << "system('touch SETTINGS_READ')\n";
+  const auto dir = FreshTestDir("own_settings");
+  WriteSyntheticRun(dir);
+  const std::string before = std::getenv("HOME");
+  setenv("HOME", home.c_str(), 1);
+  PlotRun(dir);
+  setenv("HOME", before.c_str(), 1);
+  EXPECT_FALSE(std::filesystem::exists(dir / "plots" / "SETTINGS_READ"));
+}
+
 TEST(PlotRunTest, WithoutGnuplotTheErrorSaysSo) {
   const auto dir = FreshTestDir("plots_no_gnuplot");
   WriteSyntheticRun(dir);
