@@ -4,8 +4,7 @@
 //
 //   1. the whole ladder, upwards, whatever comes of it
 //   2. bisection between the largest strength up to which everything tried survived and the
-//   smallest
-//      that was lost, until they are no farther apart than the resolution
+//      smallest that was lost, until they are no farther apart than the resolution
 //   3. confirmation at 0.5, 0.75 and 0.9 of that limit
 // What is told in the end goes by all of it: if a confirmation is lost, the limit is below it. A
 // strength in between that nobody tried is not said to survive.
