@@ -72,6 +72,7 @@ int RunCommandLine(int argc, char** argv) {
   AddRunCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
   AddSweepCommand(app, exit_code);
+  AddCompareCommand(app, exit_code);
   AddValidateCommand(app, exit_code);
   AddRenderCommand(app, exit_code);
   AddPlotCommand(app, exit_code);

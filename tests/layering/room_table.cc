@@ -76,9 +76,13 @@ std::vector<Room> SimRooms() {
       {"sim/report", kTools + Folders{"sim/plot/plot_run.h"}},  // the plots' names
       {"sim/check", kTools},
       {"sim/sweep", kTools + kDoor + Folders{"sim/episode"}},
+      {"sim/map", kTools + Folders{"sim/sweep", "sim/limit", "sim/report/html.h",
+                                   "sim/report/report_style.h"}},
+      {"sim/compare", kTools},
       {"sim/apps/commands",
        kTools + Folders{"controller/mpc", "controller/mpc/problem", "sim/episode", "sim/render",
-                        "sim/plot", "sim/report", "sim/check", "sim/limit", "sim/sweep"},
+                        "sim/plot", "sim/report", "sim/check", "sim/limit", "sim/sweep", "sim/map",
+                        "sim/compare"},
        true},
       {"sim/apps", kSupport + Folders{"sim/episode/interrupt.h", "sim/apps/commands"}, true},
       // A program of a user's own, beside ours.

@@ -22,6 +22,9 @@ void AddCheckCommand(CLI::App& app, int& exit_code);
 /// `sweep SWEEP`, and its parts `plan`, `run` and `merge`: many runs of a scenario, as a map.
 void AddSweepCommand(CLI::App& app, int& exit_code);
 
+/// `compare A B`: two runs or two maps, told apart in numbers.
+void AddCompareCommand(CLI::App& app, int& exit_code);
+
 /// `validate PATH...`: reads scenarios and says what is wrong with them.
 void AddValidateCommand(CLI::App& app, int& exit_code);
 

@@ -12,6 +12,7 @@
 #include "sim/apps/commands/progress.h"
 #include "sim/apps/commands/sweep_options.h"
 #include "sim/episode/interrupt.h"
+#include "sim/map/write_map.h"
 #include "sim/record/output_file.h"
 #include "sim/sweep/merge_rows.h"
 #include "sim/sweep/shard_name.h"
@@ -86,7 +87,9 @@ int Merge(const fs::path& folder, int shards) {
   WriteWholeFile(folder / "strengths.csv", StrengthsCsv(plan, results));
   WriteWholeFile(folder / "rays.csv", RaysCsv(plan, results));
   std::printf("%s", SweepSummary(plan, results).c_str());
-  std::printf("  tables  %s\n", (folder / "rays.csv").c_str());
+  WriteMap(plan, folder, PrintNote);
+  std::printf("  tables  %s\n  map     %s\n", (folder / "rays.csv").c_str(),
+              (folder / "map.html").c_str());
   const bool has_invalid = std::any_of(merged.rows.begin(), merged.rows.end(), [](const auto& row) {
     return row.second.outcome == CellOutcome::kInvalid;
   });

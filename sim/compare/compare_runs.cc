@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/compare/compare_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+
+#include "models/support/config_tree.h"
+#include "sim/record/output_file.h"
+#include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
+
+namespace sidestep {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+void Flatten(const ConfigTree& tree, const std::string& path, Settings* settings) {
+  if (tree.children.empty()) {
+    if (!path.empty()) (*settings)[path] = tree.kind == ConfigKind::kScalar ? tree.scalar : "";
+    return;
+  }
+  for (std::size_t i = 0; i < tree.children.size(); ++i) {
+    const std::string key = tree.kind == ConfigKind::kMap ? tree.keys[i].text : std::to_string(i);
+    Flatten(tree.children[i], path.empty() ? key : path + "." + key, settings);
+  }
+}
+
+Settings SettingsOf(const std::string& yaml) {
+  Settings settings;
+  Flatten(ParseConfig(yaml, ConfigSource{"scenario.yaml", false}), "", &settings);
+  return settings;
+}
+
+std::vector<std::string_view> CellsOfLine(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    cells.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return cells;
+}
+
+/// Takes a text apart line by line.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+  std::optional<std::string_view> Next() {
+    if (rest_.empty()) return std::nullopt;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return line;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+struct SharedColumn {
+  std::string name;
+  std::size_t first;
+  std::size_t second;
+};
+
+std::vector<SharedColumn> SharedColumns(std::string_view first, std::string_view second) {
+  const std::vector<std::string_view> a = CellsOfLine(first), b = CellsOfLine(second);
+  std::vector<SharedColumn> shared;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto there = std::find(b.begin(), b.end(), a[i]);
+    if (there == b.end() || a[i].starts_with("wall_")) continue;
+    shared.push_back({std::string(a[i]), i, static_cast<std::size_t>(there - b.begin())});
+  }
+  return shared;
+}
+
+double NumberOfMetric(const MetricValue& value) {
+  if (const bool* truth = std::get_if<bool>(&value)) return *truth ? 1.0 : 0.0;
+  return std::get<double>(value);
+}
+
+std::string Digits(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string MetricLine(const MetricPair& metric) {
+  std::string line = "  " + metric.name + ": " + Digits("%.6g", metric.first) + " -> " +
+                     Digits("%.6g", metric.second);
+  const double change = metric.second - metric.first;
+  if (!std::isfinite(change)) return line + "\n";
+  line += "  (" + Digits("%+.4g", change);
+  if (metric.first != 0.0)
+    line += ", " + Digits("%+.1f", 100.0 * change / std::abs(metric.first)) + " %";
+  return line + ")\n";
+}
+
+std::string Shown(const std::string& value) { return value.empty() ? "(none)" : value; }
+
+}  // namespace
+
+std::vector<SettingDifference> CompareSettings(const std::string& first,
+                                               const std::string& second) {
+  const Settings a = SettingsOf(first), b = SettingsOf(second);
+  Settings keys = a;
+  keys.insert(b.begin(), b.end());
+  std::vector<SettingDifference> differences;
+  for (const auto& [key, ignored] : keys) {
+    const auto in_a = a.find(key), in_b = b.find(key);
+    const std::string value_a = in_a == a.end() ? "" : in_a->second;
+    const std::string value_b = in_b == b.end() ? "" : in_b->second;
+    if (value_a != value_b) differences.push_back({key, value_a, value_b});
+  }
+  return differences;
+}
+
+std::optional<Divergence> CompareTrajectories(std::string_view first, std::string_view second) {
+  Lines a(first), b(second);
+  const auto header_a = a.Next(), header_b = b.Next();
+  if (!header_a || !header_b) return std::nullopt;
+  const std::vector<SharedColumn> columns = SharedColumns(*header_a, *header_b);
+  for (std::size_t row = 0;; ++row) {
+    const auto line_a = a.Next(), line_b = b.Next();
+    if (!line_a && !line_b) return std::nullopt;
+    const auto cells_a = CellsOfLine(line_a.value_or("")),
+               cells_b = CellsOfLine(line_b.value_or(""));
+    const std::string time_s((line_a ? cells_a : cells_b).front());
+    if (!line_a || !line_b) return Divergence{row, time_s, ""};
+    for (const SharedColumn& column : columns) {
+      const bool is_there = column.first < cells_a.size() && column.second < cells_b.size();
+      if (is_there && cells_a[column.first] == cells_b[column.second]) continue;
+      return Divergence{row, time_s, column.name};
+    }
+  }
+}
+
+RunComparison CompareRuns(const std::filesystem::path& first, const std::filesystem::path& second) {
+  const RunSummary a = ReadSummary(first), b = ReadSummary(second);
+  RunComparison comparison;
+  comparison.first_verdict = EnumName(a.verdict);
+  comparison.second_verdict = EnumName(b.verdict);
+  comparison.settings = CompareSettings(ReadWholeFile(first / "scenario.yaml"),
+                                        ReadWholeFile(second / "scenario.yaml"));
+  for (const auto& [name, value] : a.metrics) {
+    const auto other = b.metrics.find(name);
+    if (other == b.metrics.end()) continue;
+    comparison.metrics.push_back({name, NumberOfMetric(value), NumberOfMetric(other->second)});
+  }
+  constexpr const char* kTrajectory = "trajectory.csv";
+  comparison.has_trajectories =
+      std::filesystem::exists(first / kTrajectory) && std::filesystem::exists(second / kTrajectory);
+  if (comparison.has_trajectories) {
+    comparison.divergence = CompareTrajectories(ReadWholeFile(first / kTrajectory),
+                                                ReadWholeFile(second / kTrajectory));
+  }
+  return comparison;
+}
+
+std::string RunComparisonText(const RunComparison& comparison) {
+  std::string text =
+      "verdict: " + comparison.first_verdict + " -> " + comparison.second_verdict + "\n";
+  text += "settings that differ: " + std::to_string(comparison.settings.size()) + "\n";
+  for (const SettingDifference& one : comparison.settings) {
+    text += "  " + one.key + ": " + Shown(one.first) + " -> " + Shown(one.second) + "\n";
+  }
+  std::string lines;
+  std::size_t same = 0;
+  for (const MetricPair& metric : comparison.metrics) {
+    const bool is_same =
+        metric.first == metric.second || (std::isnan(metric.first) && std::isnan(metric.second));
+    if (is_same) {
+      ++same;
+    } else {
+      lines += MetricLine(metric);
+    }
+  }
+  text += "metrics: " + std::to_string(comparison.metrics.size() - same) + " differ, " +
+          std::to_string(same) + " are the same\n" + lines;
+  if (!comparison.has_trajectories) return text + "trajectories: not both are there\n";
+  if (!comparison.divergence) return text + "trajectories: the same\n";
+  const Divergence& at = *comparison.divergence;
+  return text + "trajectories: part at tick row " + std::to_string(at.row) + ", " + at.time_s +
+         " s, " + (at.column.empty() ? "where one ends" : "in " + at.column) + "\n";
+}
+
+}  // namespace sidestep

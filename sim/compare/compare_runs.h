@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// compare_runs: what two runs were told that differs, what came of it, and when they parted.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sidestep {
+
+/// A key of scenario.yaml that the runs do not share. Empty: that run has none.
+struct SettingDifference {
+  std::string key;
+  std::string first;
+  std::string second;
+};
+
+/// A metric of both runs; true counts as 1.
+struct MetricPair {
+  std::string name;
+  double first{0.0};
+  double second{0.0};
+};
+
+/// Where two trajectories are no longer the same, to the last digit.
+struct Divergence {
+  std::size_t row{0};  ///< From 0.
+  std::string time_s;  ///< As the first has it.
+  std::string column;  ///< The first that differs; empty: one of them ends here.
+};
+
+struct RunComparison {
+  std::string first_verdict;
+  std::string second_verdict;
+  std::vector<SettingDifference> settings;
+  std::vector<MetricPair> metrics;
+  bool has_trajectories{false};
+  std::optional<Divergence> divergence;  ///< None: they are the same.
+};
+
+/// Keys of two YAML texts whose values differ; dotted, numbers for lists.
+std::vector<SettingDifference> CompareSettings(const std::string& first, const std::string& second);
+
+/// The first difference of two trajectory.csv, in the columns that both have but for those of a
+/// clock on the wall (`wall_`).
+std::optional<Divergence> CompareTrajectories(std::string_view first, std::string_view second);
+
+/// Reads two runs' folders. @throws ConfigError if a summary or scenario can't be read.
+RunComparison CompareRuns(const std::filesystem::path& first, const std::filesystem::path& second);
+
+/// For a terminal: verdicts, settings, metrics that differ with their changes, where they part.
+std::string RunComparisonText(const RunComparison& comparison);
+
+}  // namespace sidestep

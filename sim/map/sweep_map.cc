@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/map/sweep_map.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+#include "models/support/config_error.h"
+#include "sim/record/run_reader.h"
+#include "sim/sweep/axis.h"
+#include "sim/sweep/csv_line.h"
+
+namespace sidestep::map {
+namespace {
+
+constexpr std::size_t kBeforeAxes = 3;  // ray, id, controller
+
+bool EndsIn(const std::string& key, std::string_view ending) {
+  return key.size() >= ending.size() &&
+         key.compare(key.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool IsStrength(const std::string& key) {
+  return key.starts_with("pushes.") &&
+         (EndsIn(key, ".magnitude_N") || EndsIn(key, ".magnitude_mg") || EndsIn(key, "_Nspkg"));
+}
+
+/// Which columns of the table mean what.
+struct Columns {
+  std::vector<std::string> names;
+  std::size_t after_axes{0};  // strength, stage, seed, outcome, reasons, impulse_Nspkg
+  std::optional<std::size_t> direction;
+  std::vector<std::size_t> panel;
+};
+
+Columns ColumnsOf(const std::string& header, const std::string& file) {
+  Columns columns;
+  columns.names = SplitCsvLine(header);
+  const auto strength = std::find(columns.names.begin(), columns.names.end(), "strength");
+  columns.after_axes = static_cast<std::size_t>(strength - columns.names.begin());
+  constexpr std::array<const char*, 6> kAfter{"strength", "stage",   "seed",
+                                              "outcome",  "reasons", "impulse_Nspkg"};
+  bool is_table = columns.after_axes >= kBeforeAxes &&
+                  columns.names.size() >= columns.after_axes + kAfter.size();
+  for (std::size_t i = 0; is_table && i < kAfter.size(); ++i) {
+    is_table = columns.names[columns.after_axes + i] == kAfter[i];
+  }
+  if (!is_table || columns.names[2] != "controller") {
+    throw ConfigError(file + ":1: error: is no table of a sweep's cells");
+  }
+  for (std::size_t i = kBeforeAxes; i < columns.after_axes; ++i) {
+    const std::string& key = columns.names[i];
+    if (!columns.direction && EndsIn(key, "direction_rad")) {
+      columns.direction = i;
+    } else if (!IsStrength(key)) {
+      columns.panel.push_back(i);
+    }
+  }
+  return columns;
+}
+
+std::string PanelOf(const Columns& columns, const std::vector<std::string>& row) {
+  std::string name;
+  for (const std::size_t i : columns.panel) {
+    name += (name.empty() ? "" : ", ") + ShortSetting(columns.names[i], row[i]);
+  }
+  return name;
+}
+
+std::size_t Place(const std::string& name, std::vector<std::string>* names) {
+  const auto found = std::find(names->begin(), names->end(), name);
+  if (found != names->end()) return static_cast<std::size_t>(found - names->begin());
+  names->push_back(name);
+  return names->size() - 1;
+}
+
+double NumberOf(const std::string& text) {
+  double value = kUnknown;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// Gathers rows.
+class MapBuilder {
+ public:
+  MapBuilder(const Columns& columns, SweepMap* map) : columns_(columns), map_(*map) {}
+
+  void Add(const std::vector<std::string>& row) {
+    const std::size_t panel = Place(PanelOf(columns_, row), &map_.panels);
+    const std::size_t controller = Place(row[2], &map_.controllers);
+    const std::string direction = columns_.direction ? row[*columns_.direction] : "";
+    const std::size_t at = Place(direction, &map_.directions);
+    MapCell& cell = cells_[{panel, controller, at}];
+    if (cell.points.empty()) {
+      cell.controller = controller;
+      cell.panel = panel;
+      cell.direction = direction;
+      if (!direction.empty()) cell.direction_rad = ParseNumber(direction);
+    }
+    AddRun(row, &cell);
+  }
+
+  void Finish() {
+    for (auto& [place, cell] : cells_) {
+      std::stable_sort(cell.points.begin(), cell.points.end(), [](const auto& a, const auto& b) {
+        return a.impulse_Nspkg < b.impulse_Nspkg;  // NaN stays where it is
+      });
+      map_.has_limits = map_.has_limits || cell.points.size() > 1;
+      map_.cells.push_back(std::move(cell));
+    }
+  }
+
+ private:
+  void AddRun(const std::vector<std::string>& row, MapCell* cell) const {
+    const std::string* after = &row[columns_.after_axes];
+    const auto ray = static_cast<std::size_t>(std::max(0.0, NumberOf(row[0])));
+    auto point = std::find_if(cell->points.begin(), cell->points.end(), [&](const MapPoint& known) {
+      return known.ray == ray && known.strength == after[0];
+    });
+    if (point == cell->points.end()) {
+      const double impulse_Nspkg = NumberOf(after[5]);
+      cell->points.push_back({after[0], std::isfinite(impulse_Nspkg) ? impulse_Nspkg : 0.0,
+                              after[1], 0, 0, 0, "", ray, after[2]});
+      point = cell->points.end() - 1;
+    }
+    const bool is_recovered = after[3] == "RECOVERED";
+    point->recovered += is_recovered ? 1 : 0;
+    point->lost += after[3] == "LOST" ? 1 : 0;
+    point->invalid += after[3] == "INVALID" ? 1 : 0;
+    if (!is_recovered && point->reasons.empty()) {
+      point->reasons = after[4];
+      point->seed = after[2];
+    }
+  }
+
+  const Columns& columns_;
+  SweepMap& map_;
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, MapCell> cells_;
+};
+
+}  // namespace
+
+Survival MapPoint::survival() const {
+  if (lost > 0) return Survival::kLost;
+  if (invalid > 0 || recovered == 0) return Survival::kInvalid;
+  return Survival::kSurvived;
+}
+
+CellLimit LimitOf(const MapCell& cell) {
+  std::vector<TestedStrength> tested;
+  int recovered = 0, told = 0;
+  for (const MapPoint& point : cell.points) {
+    const bool is_ladder = point.stage == "ladder";
+    tested.push_back({point.impulse_Nspkg, is_ladder ? SearchStage::kLadder : SearchStage::kSingle,
+                      point.survival()});
+    recovered += point.recovered;
+    told += point.recovered + point.lost;
+  }
+  if (told == 0) return {};
+  const Bracket bracket = BracketOf(tested);
+  return {bracket.survived, bracket.lost, static_cast<double>(recovered) / told};
+}
+
+double ValueOf(const SweepMap& map, const MapCell& cell) {
+  const CellLimit limit = LimitOf(cell);
+  return map.has_limits ? limit.survived : limit.share;
+}
+
+const MapCell* FindCell(const SweepMap& map, std::size_t controller, std::size_t panel,
+                        const std::string& direction) {
+  for (const MapCell& cell : map.cells) {
+    if (cell.controller == controller && cell.panel == panel && cell.direction == direction) {
+      return &cell;
+    }
+  }
+  return nullptr;
+}
+
+bool HasDirections(const SweepMap& map) {
+  return map.directions.size() > 1 &&
+         std::all_of(map.cells.begin(), map.cells.end(),
+                     [](const MapCell& cell) { return cell.direction_rad.has_value(); });
+}
+
+SweepMap ParseMap(std::string_view cells_csv, const std::string& name, const std::string& file) {
+  SweepMap map;
+  map.name = name;
+  std::size_t end = std::min(cells_csv.find('\n'), cells_csv.size());
+  const Columns columns = ColumnsOf(std::string(cells_csv.substr(0, end)), file);
+  MapBuilder builder(columns, &map);
+  for (int line = 2; end + 1 < cells_csv.size(); ++line) {
+    const std::size_t begin = end + 1;
+    end = std::min(cells_csv.find('\n', begin), cells_csv.size());
+    const std::vector<std::string> row = SplitCsvLine(cells_csv.substr(begin, end - begin));
+    if (row.size() != columns.names.size()) {
+      throw ConfigError(file + ":" + std::to_string(line) + ": error: has " +
+                        std::to_string(row.size()) + " columns, not " +
+                        std::to_string(columns.names.size()));
+    }
+    builder.Add(row);
+  }
+  builder.Finish();
+  return map;
+}
+
+SweepMap ReadMap(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "cells.csv";
+  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+  const std::string name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return ParseMap(ReadWholeFile(file), name, file);
+}
+
+std::string ShortSetting(const std::string& key, const std::string& value) {
+  std::string name = key;
+  if (name.starts_with("pushes.")) name.erase(0, name.find('.', sizeof "pushes." - 1) + 1);
+  const std::optional<double> number = ParseNumber(value);
+  if (!number) return name + " " + value;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", *number);
+  return name + " " + text;
+}
+
+}  // namespace sidestep::map

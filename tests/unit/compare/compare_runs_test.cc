@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/compare/compare_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+namespace sidestep {
+namespace {
+
+TEST(CompareRunsTest, SettingsThatDifferAreToldByKey) {
+  const auto all = CompareSettings("a: {b: 1, c: 2}\nlist: [1, 2]\n",
+                                   "a: {b: 1, c: 3}\nlist: [1, 2, 4]\nd: x\n");
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].key, "a.c");
+  EXPECT_EQ(all[0].first, "2");
+  EXPECT_EQ(all[0].second, "3");
+  EXPECT_EQ(all[1].key, "d");
+  EXPECT_EQ(all[1].first, "");
+  EXPECT_EQ(all[2].key, "list.2");
+}
+
+TEST(CompareRunsTest, TrajectoriesPartAtTheFirstDigit) {
+  const std::string base = "time_s,x_m,wall_ms\n0,1,5\n0.001,2,6\n";
+  EXPECT_FALSE(CompareTrajectories(base, "time_s,x_m,wall_ms\n0,1,7\n0.001,2,8\n"))
+      << "a clock on the wall does not count";
+  const auto digit = CompareTrajectories(base, "time_s,x_m,wall_ms\n0,1,5\n0.001,2.0001,6\n");
+  ASSERT_TRUE(digit);
+  EXPECT_EQ(digit->row, 1U);
+  EXPECT_EQ(digit->time_s, "0.001");
+  EXPECT_EQ(digit->column, "x_m");
+  const auto end = CompareTrajectories(base, "time_s,x_m,wall_ms\n0,1,5\n");
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->row, 1U);
+  EXPECT_EQ(end->column, "");
+  EXPECT_FALSE(CompareTrajectories(base, "time_s,y_m,x_m\n0,9,1\n0.001,9,2\n"))
+      << "columns are found by their names";
+  EXPECT_FALSE(CompareTrajectories("", base));
+}
+
+TEST(CompareRunsTest, TextHasChangesOfWhatDiffers) {
+  RunComparison comparison;
+  comparison.first_verdict = "PASS";
+  comparison.second_verdict = "FAIL";
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  comparison.metrics = {{"drift_m", 0.5, 0.25}, {"fall", 0.0, 1.0}, {"same", kNan, kNan}};
+  comparison.has_trajectories = true;
+  comparison.divergence = Divergence{3, "0.003", "x_m"};
+  EXPECT_EQ(RunComparisonText(comparison),
+            "verdict: PASS -> FAIL\nsettings that differ: 0\n"
+            "metrics: 2 differ, 1 are the same\n  drift_m: 0.5 -> 0.25  (-0.25, -50.0 %)\n"
+            "  fall: 0 -> 1  (+1)\ntrajectories: part at tick row 3, 0.003 s, in x_m\n");
+}
+
+}  // namespace
+}  // namespace sidestep
