@@ -17,21 +17,29 @@ constexpr std::size_t kMostSheets = 3000;  // cells that can be chosen; beyond t
 
 const char* PageStyles() {
   return R"(
-.polars { display: grid; gap: 16px; grid-template-columns: repeat(auto-fit, minmax(min(100%, max(240px,
+.polars { display: grid; gap: 16px;
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, max(300px,
   (100% - 48px) / var(--across))), 1fr)); }
-.polars figure { padding: 10px; } .polars svg { min-width: 0 !important; max-width: 420px; margin: 0 auto; }
-.wide { margin-top: 16px; } .wide svg[aria-label="What the marks mean"] { width: 330px; min-width: 0 !important; max-width: 100%; } .wide svg { width: auto; max-width: none; }
-svg a { cursor: pointer; } svg a:hover, svg a:focus { opacity: .75; outline: none; }
+.polars figure { padding: 10px; }
+.polars svg { min-width: 0 !important; max-width: 420px; margin: 0 auto; }
+.wide { margin-top: 16px; }
+.wide svg { width: auto; max-width: none; }
+.legend { margin-top: 16px; }
+.legend svg { width: 330px; min-width: 0 !important; max-width: 100%; }
+svg a { cursor: pointer; }
+svg a:hover, svg a:focus { opacity: .75; outline: none; }
 h2 { margin-top: 34px; font-size: 1.25rem; }
 .note { color: var(--soft); max-width: 75ch; }
-.sheet { display: none; position: fixed; left: 0; right: 0; bottom: 0; z-index: 2; max-height: 70vh;
-  overflow-y: auto; background: var(--card); border-top: 3px solid var(--ink); padding: 14px 20px 20px;
-  box-shadow: 0 -6px 24px rgba(0,0,0,.28); }
+.sheet { display: none; position: fixed; left: 0; right: 0; bottom: 0; z-index: 2;
+  max-height: 70vh; overflow-y: auto; background: var(--card); padding: 14px 20px 20px;
+  border-top: 3px solid var(--ink); box-shadow: 0 -6px 24px rgba(0,0,0,.28); }
 .sheet:target { display: block; }
 .sheet > div { max-width: 1080px; margin: 0 auto; }
-.sheet h3 { padding-right: 80px; } .close { float: right; font-weight: 600; padding: 4px 8px; }
-.sheet pre { user-select: all; white-space: pre-wrap; overflow-wrap: anywhere; margin: 4px 0 10px;
-  padding: 8px 10px; border: 1px solid var(--line); border-radius: 6px; background: var(--page); }
+.sheet h3 { padding-right: 80px; }
+.close { float: right; font-weight: 600; padding: 4px 8px; }
+.sheet pre { user-select: all; white-space: pre-wrap; overflow-wrap: anywhere;
+  margin: 4px 0 10px; padding: 8px 10px; border: 1px solid var(--line); border-radius: 6px;
+  background: var(--page); }
 td, tbody th { white-space: nowrap; }
 @media print { .sheet { position: static; } }
 )";
@@ -85,13 +93,13 @@ std::string FiguresTable(const SweepMap& map) {
 }
 
 std::string Pictures(const SweepMap& map) {
-  std::string html = FigureElement(LegendPicture(map), "What the marks mean", "wide");
+  std::string html = FigureElement(LegendPicture(map), "What the marks mean", "legend");
   if (!IsPolar(map)) {
     return html + "<h2>Tested strengths</h2>\n" +
            FigureElement(StripPicture(map), "Strengths tested in every cell", "wide");
   }
   html += "<h2>By direction</h2>\n<div class=\"polars\" style=\"--across:" +
-          std::to_string(PolarColumns(map)) + "\">\n";
+          std::to_string(std::clamp<std::size_t>(map.controllers.size(), 2, 3)) + "\">\n";
   for (std::size_t panel = 0; panel < map.panels.size(); ++panel) {
     for (std::size_t i = 0; i < map.controllers.size(); ++i) {
       html += FigureElement(

@@ -96,8 +96,11 @@ void DrawBracket(const Dial& dial, const MapCell& cell, Drawing* drawing) {
   if (std::isfinite(limit.lost)) {
     const Point to = dial.At(direction_rad, limit.lost);
     drawing->Line({from, to}, {ink::kNone, ink::kText, 5.0});
-    for (const Point& end : {from, to}) {  // seen even if the bar is shorter than the marks
-      drawing->Line({dial.Beside(end, direction_rad, -kCap), dial.Beside(end, direction_rad, kCap)},
+    // Strokes at both ends, seen even if the bar is shorter than the marks.
+    for (const double end : {limit.survived, limit.lost}) {
+      if (end <= 0.0) continue;
+      const Point at = dial.At(direction_rad, end);
+      drawing->Line({dial.Beside(at, direction_rad, -kCap), dial.Beside(at, direction_rad, kCap)},
                     {ink::kNone, ink::kText, 1.6});
     }
     return;

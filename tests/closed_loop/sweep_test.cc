@@ -124,6 +124,43 @@ TEST_F(SweepTest, InSevenShardsAndInOneGoItIsTheSameTable) {
   EXPECT_EQ(row.find(",INVALID,"), std::string::npos);
 }
 
+TEST_F(SweepTest, EndsInAMapThatCanBeCompared) {
+  ASSERT_EQ(Sweep(one_, {"-j2"}).exit_code, 0);
+  const std::string page = TextOf(one_ / "map.html");
+  EXPECT_NE(page.find("<th scope=\"row\">ours</th>"), std::string::npos);
+  EXPECT_NE(page.find("ours less fixed"), std::string::npos);
+  EXPECT_NE(page.find("The limit under the map: a linear pendulum"), std::string::npos);
+  EXPECT_NE(page.find("sidestep run " + (folder_.path() / "hop.yaml").string() + " --set "),
+            std::string::npos);
+  EXPECT_NE(TextOf(one_ / "map.svg").find("<svg"), std::string::npos);
+  EXPECT_EQ(TextOf(one_ / "map.png").substr(1, 3), "PNG");
+
+  const ProcessResult same = Sidestep({"compare", one_, one_, "--fail-on", "lost>0"});
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_NE(same.out.find("B against A: 0 cells won, 0 lost, "), std::string::npos) << same.out;
+  EXPECT_EQ(Sidestep({"compare", one_, one_, "--fail-on", "undecided>0"}).exit_code, 1);
+  const ProcessResult typo = Sidestep({"compare", one_, one_, "--fail-on", "mean>0"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_EQ(typo.err, "--fail-on mean>0: error: there is no mean to compare\n");
+}
+
+TEST_F(SweepTest, RunsAreComparedToTheFirstRowThatDiffers) {
+  const auto run = [&](const fs::path& folder, const char* push) {
+    return Sidestep({"run", folder_.path() / "hop.yaml", "-o", folder, "-q", "--no-video",
+                     "--no-plots", "--set", push})
+        .exit_code;
+  };
+  ASSERT_LE(run(one_, "pushes.0.force_N=[5, 0, 0]"), 1);
+  ASSERT_LE(run(other_, "pushes.0.force_N=[6, 0, 0]"), 1);
+  const ProcessResult result = Sidestep({"compare", one_, other_, "--fail-on", "drift_m>+1%"});
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  EXPECT_NE(result.out.find("  pushes.0.force_N.0: 5 -> 6\n"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("part at row 1000, 2 s, in push_force_W_x_N"), std::string::npos) << result.out;
+  const ProcessResult same = Sidestep({"compare", one_, one_, "--fail-on", "drift_m>+1%"});
+  EXPECT_EQ(same.exit_code, 0);
+  EXPECT_NE(same.out.find("trajectories: the same"), std::string::npos) << same.out;
+}
+
 TEST_F(SweepTest, KilledAtAnyMomentItEndsInTheSameTable) {
   ASSERT_EQ(Sweep(one_).exit_code, 0);
   const fs::path rows = other_ / "rows-0-of-1.csv";

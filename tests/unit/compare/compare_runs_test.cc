@@ -50,7 +50,7 @@ TEST(CompareRunsTest, TextHasChangesOfWhatDiffers) {
   EXPECT_EQ(RunComparisonText(comparison),
             "verdict: PASS -> FAIL\nsettings that differ: 0\n"
             "metrics: 2 differ, 1 are the same\n  drift_m: 0.5 -> 0.25  (-0.25, -50.0 %)\n"
-            "  fall: 0 -> 1  (+1)\ntrajectories: part at tick row 3, 0.003 s, in x_m\n");
+            "  fall: 0 -> 1  (+1)\ntrajectories: part at row 3, 0.003 s, in x_m\n");
 }
 
 }  // namespace
