@@ -183,8 +183,8 @@ std::string RunComparisonText(const RunComparison& comparison) {
   if (!comparison.has_trajectories) return text + "trajectories: not both are there\n";
   if (!comparison.divergence) return text + "trajectories: the same\n";
   const Divergence& at = *comparison.divergence;
-  return text + "trajectories: part at row " + std::to_string(at.row) + ", " + at.time_s +
-         " s, " + (at.column.empty() ? "where one ends" : "in " + at.column) + "\n";
+  return text + "trajectories: part at row " + std::to_string(at.row) + ", " + at.time_s + " s, " +
+         (at.column.empty() ? "where one ends" : "in " + at.column) + "\n";
 }
 
 }  // namespace sidestep

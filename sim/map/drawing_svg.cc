@@ -129,7 +129,7 @@ std::string RoleStyles() {
 }
 
 std::string SvgElement(const Drawing& drawing, const std::string& label) {
-  return Head(drawing, label, " style=\"min-width:" + Figure(drawing.width()) + "px\"") +
+  return Head(drawing, label, " style=\"width:" + Figure(drawing.width()) + "px\"") +
          Elements(drawing, true) + "</svg>\n";
 }
 

@@ -10,7 +10,7 @@
 namespace sidestep::map {
 namespace {
 
-constexpr double kCellWidth = 54.0;
+constexpr double kCellWidth = 60.0;
 constexpr double kCellHeight = 38.0;
 constexpr double kTop = 46.0;    // title, directions
 constexpr double kLetter = 7.2;  // a letter's width at 12 px, rather too much

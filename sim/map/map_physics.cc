@@ -59,9 +59,9 @@ std::string NoteOf(const Scenario& scenario, const Push& push) {
   char text[400];
   std::snprintf(
       text, sizeof text,
-      "a linear pendulum of omega %.2f /s, pushed for %.3g s at its CoM (the map's pushes "
-      "act on '%s' for %.3g s)",
-      std::sqrt(kGravity_mps2 / scenario.robot.com_height_m), is_hop ? 0.0 : push.duration_s,
+      "a linear pendulum of omega %.2f /s, pushed at its CoM for %s (the map's pushes act "
+      "on '%s' for %.3g s)",
+      std::sqrt(kGravity_mps2 / scenario.robot.com_height_m), is_hop ? "an instant" : "as long",
       push.body.c_str(), push.duration_s);
   return text;
 }

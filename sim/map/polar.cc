@@ -133,7 +133,7 @@ Drawing PolarPicture(const SweepMap& map, std::size_t controller, std::size_t pa
     drawing.SetLink(CellAnchor(number), PlaceWords(map, *cell) + ": " + LimitWords(map, *cell));
     drawing.Line({dial.centre, dial.At(*cell->direction_rad, dial.scale_Nspkg)},
                  {ink::kNone, ink::kGrid, 1.0});
-    DrawBracket(dial, *cell, &drawing);
+    if (map.has_limits) DrawBracket(dial, *cell, &drawing);
     for (const MapPoint& point : cell->points) {
       DrawMark(point.survival(), dial.At(*cell->direction_rad, point.impulse_Nspkg), kMark,
                &drawing);

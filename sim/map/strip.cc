@@ -31,20 +31,26 @@ void DrawScale(double scale, double margin, double bottom, Drawing* drawing) {
   }
 }
 
-void DrawCell(const MapCell& cell, double scale, double margin, double y, Drawing* drawing) {
+// From the largest that survived to the smallest that was lost; open to the right if nothing was.
+void DrawStripBracket(const CellLimit& limit, double from, double to, double y, Drawing* drawing) {
+  if (std::isnan(limit.share)) return;
+  if (std::isfinite(limit.lost)) {
+    drawing->Line({{from, y}, {to, y}}, {ink::kNone, ink::kText, 5.0});
+    return;
+  }
+  drawing->Line({{from + 5.0, y - 5.0}, {from + 11.0, y}, {from + 5.0, y + 5.0}},
+                {ink::kNone, ink::kText, 1.8});
+}
+
+void DrawCell(const SweepMap& map, const MapCell& cell, double scale, double margin, double y,
+              Drawing* drawing) {
   const auto x = [&](double impulse) { return margin + kWidth * std::min(1.0, impulse / scale); };
-  const CellLimit limit = LimitOf(cell);
   if (std::isfinite(cell.physical_Nspkg)) {
     const double at = x(cell.physical_Nspkg);
     drawing->Line({{at, y - 9.0}, {at, y + 9.0}}, {ink::kNone, ink::kLimit, 2.0, true});
   }
-  if (std::isfinite(limit.lost)) {
-    drawing->Line({{x(limit.survived), y}, {x(limit.lost), y}}, {ink::kNone, ink::kText, 5.0});
-  } else if (!std::isnan(limit.share)) {
-    const double at = x(limit.survived);
-    drawing->Line({{at + 5.0, y - 5.0}, {at + 11.0, y}, {at + 5.0, y + 5.0}},
-                  {ink::kNone, ink::kText, 1.8});
-  }
+  const CellLimit limit = LimitOf(cell);
+  if (map.has_limits) DrawStripBracket(limit, x(limit.survived), x(limit.lost), y, drawing);
   for (const MapPoint& point : cell.points) {
     DrawMark(point.survival(), {x(point.impulse_Nspkg), y}, kStripMark, drawing);
   }
@@ -68,7 +74,7 @@ Drawing StripPicture(const SweepMap& map) {
     const double y = kStripTop + kLineHeight * (static_cast<double>(i) + 0.5);
     drawing.SetLink(CellAnchor(i), LimitWords(map, cell));
     drawing.Text({margin - 10.0, y}, NameOf(map, cell), {12.0, Anchor::kEnd, ink::kText});
-    DrawCell(cell, scale, margin, y, &drawing);
+    DrawCell(map, cell, scale, margin, y, &drawing);
   }
   drawing.SetLink("", "");
   if (shown < map.cells.size()) {
