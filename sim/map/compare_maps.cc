@@ -2,24 +2,20 @@
 #include "sim/map/compare_maps.h"
 
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "sim/map/pictures.h"
 
 namespace sidestep::map {
 namespace {
 
-// The cell of `other` that stands where `cell` of `map` does.
-const MapCell* Counterpart(const SweepMap& map, const MapCell& cell, const SweepMap& other) {
-  const bool is_single = map.controllers.size() == 1 && other.controllers.size() == 1;
-  for (const MapCell& candidate : other.cells) {
-    const bool is_controller =
-        is_single || other.controllers[candidate.controller] == map.controllers[cell.controller];
-    if (is_controller && candidate.direction == cell.direction &&
-        other.panels[candidate.panel] == map.panels[cell.panel]) {
-      return &candidate;
-    }
-  }
-  return nullptr;
+// Controller, panel and direction; of maps with one controller each its name is no matter.
+using PlaceName = std::tuple<std::string, std::string, std::string>;
+
+PlaceName NameOfPlace(const SweepMap& map, const MapCell& cell, bool is_single) {
+  return {is_single ? "" : map.controllers[cell.controller], map.panel_keys[cell.panel],
+          cell.direction};
 }
 
 std::vector<ControllerFigures> FiguresWithoutCells(const SweepMap& map) {
@@ -65,12 +61,18 @@ MapComparison CompareMaps(const SweepMap& first, const SweepMap& second) {
   comparison.second = FiguresWithoutCells(second);
   SweepMap with_limits;  // what Compare() asks of a map
   with_limits.has_limits = first.has_limits && second.has_limits;
+  const bool is_single = first.controllers.size() == 1 && second.controllers.size() == 1;
+  std::map<PlaceName, const MapCell*> counterparts;
+  for (const MapCell& cell : second.cells) {
+    counterparts.emplace(NameOfPlace(second, cell, is_single), &cell);
+  }
   for (const MapCell& cell : first.cells) {
-    const MapCell* other = Counterpart(first, cell, second);
-    if (other == nullptr) {
+    const auto found = counterparts.find(NameOfPlace(first, cell, is_single));
+    if (found == counterparts.end()) {
       ++comparison.only_first;
       continue;
     }
+    const MapCell* other = found->second;
     const Contest contest = Compare(with_limits, cell, *other);
     comparison.cells.push_back({first.controllers[cell.controller], PlaceWords(first, cell),
                                 LimitOf(cell), LimitOf(*other), contest});

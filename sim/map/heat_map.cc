@@ -40,6 +40,18 @@ std::string DirectionLabel(const std::string& direction) {
   return ShortFigure(std::round(1800.0 * *angle_rad / std::numbers::pi) / 10.0) + "\u00b0";
 }
 
+void DrawField(const Field& field, const Point& corner, Drawing* drawing) {
+  drawing->Rectangle(corner, kCellWidth - 2.0, kCellHeight - 2.0, {field.color, ink::kGrid, 1.0});
+  const std::string color = ReadableOn(field.color);
+  const bool has_below = !field.below.empty();
+  const Point middle{corner.x + 0.5 * kCellWidth - 1.0, corner.y + 0.5 * kCellHeight - 1.0};
+  drawing->Text({middle.x, middle.y - (has_below ? 7.0 : 0.0)}, field.figure,
+                {13.0, Anchor::kMiddle, color, field.is_bold});
+  if (has_below) {
+    drawing->Text({middle.x, middle.y + 8.0}, field.below, {10.5, Anchor::kMiddle, color});
+  }
+}
+
 // A table of panels by directions of the cells of `controller`.
 Drawing Grid(const SweepMap& map, std::size_t controller, const std::string& title,
              const FieldOf& field_of) {
@@ -65,16 +77,7 @@ Drawing Grid(const SweepMap& map, std::size_t controller, const std::string& tit
     const Field field = field_of(cell);
     drawing.SetLink(CellAnchor(static_cast<std::size_t>(&cell - map.cells.data())),
                     PlaceWords(map, cell) + ": " + LimitWords(map, cell));
-    drawing.Rectangle(corner, kCellWidth - 2.0, kCellHeight - 2.0, {field.color, ink::kGrid, 1.0});
-    const std::string color = ReadableOn(field.color);
-    const bool has_below = !field.below.empty();
-    const double middle = corner.y + 0.5 * kCellHeight - 1.0;
-    drawing.Text({corner.x + 0.5 * kCellWidth - 1.0, middle - (has_below ? 7.0 : 0.0)},
-                 field.figure, {13.0, Anchor::kMiddle, color, field.is_bold});
-    if (has_below) {
-      drawing.Text({corner.x + 0.5 * kCellWidth - 1.0, middle + 8.0}, field.below,
-                   {10.5, Anchor::kMiddle, color});
-    }
+    DrawField(field, corner, &drawing);
   }
   drawing.SetLink("", "");
   return drawing;

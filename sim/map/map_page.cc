@@ -147,7 +147,8 @@ std::string Notes(const SweepMap& map) {
 
 std::string CellsTable(const SweepMap& map) {
   std::vector<std::vector<std::string>> rows;
-  for (const MapCell& cell : map.cells) {
+  for (std::size_t i = 0; i < std::min(kMostSheets, map.cells.size()); ++i) {
+    const MapCell& cell = map.cells[i];
     const CellLimit limit = LimitOf(cell);
     std::string place = PlaceWords(map, cell);
     std::string reasons;
@@ -161,7 +162,10 @@ std::string CellsTable(const SweepMap& map) {
          std::isnan(limit.share) ? "-" : ShortFigure(100.0 * limit.share) + " %",
          ShortFigure(cell.physical_Nspkg), Escaped(reasons.substr(0, reasons.find(';')))});
   }
-  return "<details><summary>All " + std::to_string(map.cells.size()) + " cells</summary>\n" +
+  const bool are_all = rows.size() == map.cells.size();
+  return "<details><summary>" + std::string(are_all ? "All " : "The first ") +
+         std::to_string(rows.size()) + " cells" + (are_all ? "" : "; the rest is in rays.csv") +
+         "</summary>\n" +
          report::Table({"controller", "cell", "survived (N s/kg)", "lost at (N s/kg)",
                         "runs recovered", "pendulum (N s/kg)", "lost by"},
                        rows) +

@@ -71,12 +71,24 @@ std::string PanelOf(const Columns& columns, const std::vector<std::string>& row)
   return name;
 }
 
-std::size_t Place(const std::string& name, std::vector<std::string>* names) {
-  const auto found = std::find(names->begin(), names->end(), name);
-  if (found != names->end()) return static_cast<std::size_t>(found - names->begin());
-  names->push_back(name);
-  return names->size() - 1;
+std::string PanelKeyOf(const Columns& columns, const std::vector<std::string>& row) {
+  std::string key;
+  for (const std::size_t i : columns.panel) key += columns.names[i] + "=" + row[i] + "\n";
+  return key;
 }
+
+/// Numbers names in the order in which they come.
+class Names {
+ public:
+  std::size_t Place(const std::string& name, std::vector<std::string>* names) {
+    const auto [place, is_new] = places_.try_emplace(name, names->size());
+    if (is_new) names->push_back(name);
+    return place->second;
+  }
+
+ private:
+  std::map<std::string, std::size_t> places_;
+};
 
 double NumberOf(const std::string& text) {
   double value = kUnknown;
@@ -90,10 +102,11 @@ class MapBuilder {
   MapBuilder(const Columns& columns, SweepMap* map) : columns_(columns), map_(*map) {}
 
   void Add(const std::vector<std::string>& row) {
-    const std::size_t panel = Place(PanelOf(columns_, row), &map_.panels);
-    const std::size_t controller = Place(row[2], &map_.controllers);
+    const std::size_t panel = panels_.Place(PanelKeyOf(columns_, row), &map_.panel_keys);
+    if (panel == map_.panels.size()) map_.panels.push_back(PanelOf(columns_, row));
+    const std::size_t controller = controllers_.Place(row[2], &map_.controllers);
     const std::string direction = columns_.direction ? row[*columns_.direction] : "";
-    const std::size_t at = Place(direction, &map_.directions);
+    const std::size_t at = directions_.Place(direction, &map_.directions);
     MapCell& cell = cells_[{panel, controller, at}];
     if (cell.points.empty()) {
       cell.controller = controller;
@@ -139,6 +152,9 @@ class MapBuilder {
 
   const Columns& columns_;
   SweepMap& map_;
+  Names panels_;
+  Names controllers_;
+  Names directions_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, MapCell> cells_;
 };
 

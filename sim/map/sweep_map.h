@@ -49,7 +49,9 @@ struct MapCell {
 struct SweepMap {
   std::string name;
   std::vector<std::string> controllers;
-  std::vector<std::string> panels;      ///< `at_phase mid_swing`; one empty name without such axes.
+  /// `at_phase mid_swing`; one empty name without such axes. First digits only: two may be alike.
+  std::vector<std::string> panels;
+  std::vector<std::string> panel_keys;  ///< The same with every digit; no two are alike.
   std::vector<MapCell> cells;           ///< In order of panel, controller and direction.
   std::vector<std::string> directions;  ///< As axes have them, in the sweep's order.
   bool has_limits{false};               ///< Some cell has more than one strength.

@@ -61,6 +61,16 @@ TEST(SweepMapTest, AnAxisOfStrengthsIsALadder) {
   EXPECT_EQ(LimitOf(map.cells[0]).lost, 0.2);
 }
 
+TEST(SweepMapTest, PanelsThatLookAlikeStayApart) {
+  const SweepMap map = ParseMap(std::string(kHeader) + MadeRay(0, "a", "0", 1, "0.123401") +
+                                    MadeRay(1, "a", "0", 2, "0.123402"),
+                                "m", "f");
+  ASSERT_EQ(map.cells.size(), 2U);
+  EXPECT_EQ(map.panels[0], map.panels[1]) << "in short";
+  EXPECT_EQ(LimitOf(map.cells[0]).survived, 1.0);
+  EXPECT_EQ(LimitOf(map.cells[1]).survived, 2.0);
+}
+
 TEST(SweepMapTest, SeedsAreOnePointAndInvalidOnesSayNothing) {
   const std::string rows = std::string(kHeader) + MadeRow(0, "a", "0", "1", "RECOVERED") +
                            MadeRow(0, "a", "0", "1", "INVALID") +
