@@ -10,6 +10,7 @@
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/progress.h"
+#include "sim/apps/commands/sweep_folder.h"
 #include "sim/apps/commands/sweep_options.h"
 #include "sim/episode/interrupt.h"
 #include "sim/map/write_map.h"
@@ -23,29 +24,6 @@ namespace sidestep {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kManyCells = 1e6;  // more of them want --yes
-
-// Cells are counted before any is listed: there may be more than memory holds.
-SweepSpec ReadTarget(const SweepArguments& arguments) {
-  SweepSpec spec = ReadSweep(arguments.target, arguments.sweep);
-  const double cells = NumCells(spec);
-  if (cells > kManyCells && !arguments.is_agreed) {
-    char count[32];
-    std::snprintf(count, sizeof count, "%.3g", cells);
-    throw ConfigError("error: this sweep may have " + std::string(count) +
-                      " runs; --yes if that is meant");
-  }
-  return spec;
-}
-
-SweepPlan PlanIn(const fs::path& folder, const SweepSpec& spec, bool is_quiet) {
-  if (HoldsPlan(spec, folder)) return ReadPlan(folder);
-  Progress progress("plan", is_quiet);
-  SweepPlan plan = MakePlan(spec, [&](double share) { progress.Update(share, ""); });
-  WritePlan(plan, folder);
-  return plan;
-}
 
 Keep KeepOf(const std::string& name) {
   for (const auto& [keep, known] : EnumNames<Keep>::kNames) {
@@ -107,8 +85,7 @@ int Sweep(SweepArguments arguments) {
   }
   arguments.shard.keep = KeepOf(arguments.keep);
   const SweepSpec spec = ReadTarget(arguments);
-  const fs::path folder =
-      arguments.folder.empty() ? fs::path("renders") / spec.name : arguments.folder;
+  const fs::path folder = FolderOf(arguments, spec);
   const SweepPlan plan = PlanIn(folder, spec, arguments.is_quiet);
   const ShardReport report = RunShardOf(plan, folder, arguments);
   if (report.rays_done == report.rays) return Merge(folder, 1);
@@ -118,8 +95,7 @@ int Sweep(SweepArguments arguments) {
 
 int Plan(const SweepArguments& arguments) {
   const SweepSpec spec = ReadTarget(arguments);
-  const fs::path folder =
-      arguments.folder.empty() ? fs::path("renders") / spec.name : arguments.folder;
+  const fs::path folder = FolderOf(arguments, spec);
   const SweepPlan plan = PlanIn(folder, spec, arguments.is_quiet);
   std::printf("%zu rays, at most %.0f runs: %s\n", plan.rays.size(), NumCells(spec),
               (folder / "manifest.csv").c_str());
@@ -189,10 +165,10 @@ void AddSweepCommand(CLI::App& app, int& exit_code) {
   AddPlanCommand(*command, exit_code);
   AddRunPlannedCommand(*command, exit_code);
   AddMergeCommand(*command, exit_code);
+  AddSlurmCommand(*command, exit_code);
   command->footer(
-      "plan, run and merge are its parts, for clusters. Killed at any moment, the same command "
-      "goes "
-      "on.\nFalls are results: it exits with 3 only if a run says nothing (INVALID).");
+      "plan, run, merge and slurm are its parts, for clusters. Killed at any moment, the same "
+      "command goes on.\nFalls are results: it exits with 3 only if a run says nothing (INVALID).");
   command->callback([command, arguments, &exit_code] {
     if (command->get_subcommands().empty()) exit_code = Sweep(*arguments);
   });
