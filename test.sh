@@ -2,7 +2,8 @@
 # Every test of the repository: installs missing packages, checks the format, builds twice, runs
 # twice.
 #   dev      asserts and sanitizers: unit and layering tests
-#   release  what users run: the QP again, allocations, the MPC's recorded problems, closed loops
+#   release  what users run: the QP again, allocations, the MPC's recorded problems, closed loops,
+#            a sweep on a cluster
 # Clean clone to verdict in minutes; a second time only what changed is built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -35,5 +36,9 @@ ctest --preset dev --parallel "$jobs" --no-tests=error --label-regex 'unit|layer
 current="QP, MPC, allocation and closed-loop tests (preset release)"
 step "$current"
 ctest --preset release --parallel "$jobs" --no-tests=error --label-regex 'unit|closed_loop'
+
+current="a sweep on a real Slurm (preset release; skipped where it can't be installed)"
+step "$current"
+ctest --preset release --no-tests=error --label-regex slurm --verbose
 
 step "all tests passed"
