@@ -101,9 +101,15 @@ const RobotModel& RequireModel(const RobotDescription& robot) {
 RobotNames NamesIn(const RobotDescription& description) {
   RobotNames names;
   if (description.model) {
+    // A scenario's checks ask twice, and a sweep's runs ask for the same again and again.
+    thread_local RobotModel last;
+    thread_local RobotNames last_names;
     const RobotModel& model = *description.model;
+    if (last.drawn_mjcf == model.drawn_mjcf && last.file == model.file) return last_names;
     MjcfNames parts = NamesOf(*CompileMjcf(model.drawn_mjcf, "", model.file));
-    return {std::move(parts.bodies), std::move(parts.sites), std::move(parts.unfit_motors)};
+    last_names = {std::move(parts.bodies), std::move(parts.sites), std::move(parts.unfit_motors)};
+    last = model;
+    return last_names;
   }
   names.bodies.emplace_back("com");
   for (const FootDescription& foot : description.feet) names.frames.push_back(foot.frame);

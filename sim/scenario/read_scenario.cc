@@ -55,7 +55,7 @@ void ReadRobotControl(const std::filesystem::path& robot_file,
 }
 
 void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
-               const NoteSink& note, Scenario* scenario) {
+               const NoteSink& note, const RobotReader& read_robot, Scenario* scenario) {
   const bool is_from_file = node.tree().place.source->is_file;
   const std::filesystem::path folder = is_from_file ? scenario->file.parent_path() : "";
   const std::filesystem::path robot_file = FindRobot(scenario->robot_name, folder);
@@ -63,7 +63,7 @@ void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
     node.Fail("= '" + scenario->robot_name + "' is neither a robot that ships nor a robot.yaml; " +
               DidYouMean(scenario->robot_name, ShippedRobots(), "robots that ship"));
   }
-  scenario->robot = ReadRobotDescription(robot_file);
+  scenario->robot = read_robot(robot_file);
   ReadRobotControl(robot_file, control, note, &scenario->control);
   // The centroidal plant has no joints: a robot's servos must not stand in a scenario's way there.
   ControlMode& mode = scenario->control.mode;
@@ -107,7 +107,8 @@ class SectionReader {
 
 /// `file` is empty of a scenario that has none.
 Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
-                  const std::vector<std::string>& overrides, const NoteSink& note) {
+                  const std::vector<std::string>& overrides, const NoteSink& note,
+                  const RobotReader& read_robot) {
   ConfigMap map(root, "");
   RenameOldKeys(&root, note);
   for (const std::string& assignment : overrides) ApplyOverride(assignment, &root, note);
@@ -116,7 +117,7 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
   scenario.file = file;
   ReadVersion(map);
   ReadBasics(map, &scenario);
-  ReadRobot(map.Required("robot"), map.Optional("control"), note, &scenario);
+  ReadRobot(map.Required("robot"), map.Optional("control"), note, read_robot, &scenario);
   std::vector<PushEntry> pushes;
   Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot, &pushes));
   map.RejectUnknownKeys();
@@ -129,8 +130,8 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
 }  // namespace
 
 Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                      const NoteSink& note) {
-  return ReadTree(ReadConfigFile(file), file, overrides, note);
+                      const NoteSink& note, const RobotReader& read_robot) {
+  return ReadTree(ReadConfigFile(file), file, overrides, note, read_robot);
 }
 
 Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string>& overrides,
@@ -148,7 +149,7 @@ Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string
                       ", gait: {type: " + (description.feet.size() == 1 ? "hop" : "walk") + "}}",
                   source);
   root.children[2].scalar = robot;  // as it is: no YAML
-  return ReadTree(std::move(root), "", overrides, note);
+  return ReadTree(std::move(root), "", overrides, note, ReadRobotDescription);
 }
 
 bool IsRobotFile(const std::filesystem::path& word) {

@@ -3,13 +3,18 @@
 // read_scenario: a scenario file and the command line's overrides, read strictly.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "models/robot_description/robot_description.h"
 #include "sim/scenario/renamed_keys.h"
 #include "sim/scenario/scenario.h"
 
 namespace sidestep {
+
+/// Reads a robot.yaml: ReadRobotDescription, or what remembers robots for it.
+using RobotReader = std::function<RobotDescription(const std::filesystem::path& file)>;
 
 /// Reads a scenario of format version 1 and the robot that it names, and checks that they fit.
 ///
@@ -18,9 +23,11 @@ namespace sidestep {
 /// @param overrides  Assignments `a.b=c`, applied in order (see apply_override.h).
 /// @param note       Told of keys under an old name, in the file, an override or the robot.yaml's
 ///                   `control` block.
+/// @param read_robot Reads all of the robot but that block.
 /// @throws ConfigError with `file:line:column`, or with `--set a.b=c` for an override's mistakes.
 Scenario ReadScenario(const std::filesystem::path& file,
-                      const std::vector<std::string>& overrides = {}, const NoteSink& note = {});
+                      const std::vector<std::string>& overrides = {}, const NoteSink& note = {},
+                      const RobotReader& read_robot = ReadRobotDescription);
 
 /// A scenario of a robot alone, which has no file: two feet walk in place, one hops, in the gait's
 /// defaults; on the centroidal plant, if the robot has no model.

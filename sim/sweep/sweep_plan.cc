@@ -17,6 +17,7 @@
 #include "sim/sweep/cell_runner.h"
 #include "sim/sweep/csv_line.h"
 #include "sim/sweep/read_sweep.h"
+#include "sim/sweep/robot_memory.h"
 
 namespace sidestep {
 namespace {
@@ -94,7 +95,9 @@ std::string ProgramHash() {
 }
 
 Scenario ScenarioOf(const SweepSpec& spec, const Ray& ray, const CellKey& cell) {
-  return ReadScenario(spec.scenario, OverridesOf(spec, ray, cell));
+  static RobotMemory robots;
+  return ReadScenario(spec.scenario, OverridesOf(spec, ray, cell), {},
+                      [](const std::filesystem::path& file) { return robots.Read(file); });
 }
 
 PlannedRay PlanRay(const SweepSpec& spec, const Ray& ray, const std::string& program_hash) {
