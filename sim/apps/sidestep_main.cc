@@ -93,7 +93,10 @@ int RunCommandLine(int argc, char** argv) {
     PrintError("sidestep: error: ", std::string(error.what()) + " (see --help)");
     return kExitBadInput;
   }
-  return exit_code;
+  const bool is_said = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_said || exit_code != kExitPass) return exit_code;
+  PrintError("sidestep: error: ", "standard output can't be written");
+  return kExitBadInput;
 }
 
 }  // namespace

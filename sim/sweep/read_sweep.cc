@@ -219,7 +219,10 @@ void AddOptions(const SweepOptions& options, SweepSpec* spec) {
     AddAxis(ParseAxis("--vary", vary), OptionPlace("--vary " + vary), spec);
   }
   if (!options.limit.empty()) AddLimitOption(options.limit, spec);
-  if (options.resolution > 0.0) {
+  if (options.resolution != 0.0) {  // of NaN too
+    if (!(options.resolution > 0.0)) {
+      throw ConfigError("--resolution: error: must be a number above 0");
+    }
     if (!spec->limit)
       throw ConfigError("--resolution: error: goes with a limit, and there is none");
     spec->limit->resolution = options.resolution;
@@ -235,8 +238,29 @@ void AddOptions(const SweepOptions& options, SweepSpec* spec) {
   }
 }
 
+bool IsVaried(const SweepSpec& spec, const std::string& key) {
+  return (spec.limit && spec.limit->key == key) ||
+         std::any_of(spec.axes.begin(), spec.axes.end(),
+                     [&](const Axis& axis) { return axis.key == key; });
+}
+
+// An axis would win over what a controller sets, and seeds over an axis, without a word.
+void CheckNothingIsToldTwice(const SweepSpec& spec) {
+  for (const ControllerSpec& one : spec.controllers) {
+    for (const std::string& assignment : one.set) {
+      const std::string key = assignment.substr(0, assignment.find('='));
+      if (!IsVaried(spec, key)) continue;
+      throw ConfigError("controllers: error: '" + one.name + "' sets " + key + ", which is varied");
+    }
+  }
+  if (!spec.seeds.empty() && IsVaried(spec, "seed")) {
+    throw ConfigError("seeds: error: seed is varied too");
+  }
+}
+
 // What only the whole of it can tell.
 void CheckWhole(const SweepSpec& spec) {
+  CheckNothingIsToldTwice(spec);
   for (const ControllerSpec& one : spec.controllers) {
     const auto twice =
         std::count_if(spec.controllers.begin(), spec.controllers.end(),

@@ -22,6 +22,9 @@ namespace {
 }  // namespace
 
 RowsOnDisk ReadRows(const SweepSpec& spec, const std::filesystem::path& file) {
+  std::error_code ignored;  // of one that is not there, which has no rows
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (exists(status) && !is_regular_file(status)) FailAtRows(file, "is no file of rows");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream all;
   if (in) all << in.rdbuf();
@@ -45,7 +48,8 @@ RowsOnDisk ReadRows(const SweepSpec& spec, const std::filesystem::path& file) {
 
 RowFile::RowFile(const SweepSpec& spec, const std::filesystem::path& file,
                  const std::function<void(const std::string&)>& note)
-    : file_(file), descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    : file_(file),
+      descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666)) {
   if (descriptor_ < 0) FailAtRows(file, std::string("can't be written: ") + std::strerror(errno));
   try {
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/sweep/sweep_plan.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -67,6 +68,17 @@ std::string RobotText(const RobotDescription& robot) {
   return ReadTextFile(robot.file) + (robot.model ? robot.model->simulated_mjcf : "");
 }
 
+// What planning leaves if it is killed, or the disk is full, is nobody's.
+bool HoldsOtherThings(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) return false;
+  if (!std::filesystem::is_directory(folder)) FailAtFile(folder, "is no folder");
+  if (std::filesystem::exists(folder / kSweepFile)) return false;
+  const std::filesystem::directory_iterator entries(folder);
+  return std::any_of(begin(entries), end(entries), [](const auto& entry) {
+    return entry.path().filename() != std::string(kSweepFile) + ".part";
+  });
+}
+
 void CheckProgram(const std::filesystem::path& manifest, const std::string& first_line) {
   const std::string wanted = FirstLine(ProgramHash());
   if (first_line == wanted) return;
@@ -125,9 +137,8 @@ SweepPlan MakePlan(const SweepSpec& spec, const std::function<void(double)>& pro
 bool HoldsPlan(const SweepSpec& spec, const std::filesystem::path& folder) {
   const std::filesystem::path manifest = folder / kManifestFile;
   if (!std::filesystem::exists(manifest)) {
-    const bool is_used = std::filesystem::exists(folder) && !std::filesystem::is_empty(folder) &&
-                         !std::filesystem::exists(folder / kSweepFile);
-    if (is_used) FailAtFile(folder, "is not empty and holds no sweep; take another folder");
+    if (HoldsOtherThings(folder))
+      FailAtFile(folder, "is not empty and holds no sweep; take another folder");
     return false;
   }
   if (ReadTextFile(folder / kSweepFile) != SweepYaml(spec)) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/support/temp_folder.h"
 
 namespace sidestep::read_sweep_test {
@@ -100,6 +102,26 @@ TEST_F(ReadSweepTest, FileErrors) {
   EXPECT_EQ(ErrorOfEdit("sidestep_sweep: 1", "sidestep_sweep: 2"),
             "map.yaml:1:17: error: sidestep_sweep = 2 is a format that this program can't read; it "
             "reads 1");
+}
+
+// An axis wins over what a controller sets, and seeds over an axis: that must not pass in silence.
+TEST_F(ReadSweepTest, NothingIsToldTwice) {
+  SweepOptions options;
+  options.vary = {"world.friction=[0.5, 0.8]"};
+  options.controllers = {"slippery: {world.friction: 0.2}"};
+  EXPECT_EQ(ErrorOfOptions(options),
+            "controllers: error: 'slippery' sets world.friction, which is varied");
+  SweepOptions seeds;
+  seeds.vary = {"seed=[1, 2]"};
+  seeds.seeds = "3";
+  EXPECT_EQ(ErrorOfOptions(seeds), "seeds: error: seed is varied too");
+}
+
+TEST_F(ReadSweepTest, AResolutionIsANumber) {
+  SweepOptions options;
+  options.limit = "pushes.0.magnitude_N=[1, 2]";
+  options.resolution = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(ErrorOfOptions(options), "--resolution: error: must be a number above 0");
 }
 
 TEST_F(ReadSweepTest, OptionErrors) {

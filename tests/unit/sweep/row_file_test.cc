@@ -51,6 +51,15 @@ TEST_F(RowFileTest, AHalfRowIsDroppedAndTold) {
   EXPECT_EQ(notes_, note + note + note + note);
 }
 
+// Such as a device, which may have no end.
+TEST_F(RowFileTest, WhatIsNoFileIsNotRead) {
+  std::filesystem::create_symlink("/dev/full", path_);
+  EXPECT_EQ(folder_.ErrorOf([&] { ReadRows(plan_.spec, path_); }),
+            "rows.csv: error: is no file of rows");
+  EXPECT_EQ(folder_.ErrorOf([&] { RowFile(plan_.spec, path_, note_); }),
+            "rows.csv: error: is no file of rows");
+}
+
 TEST_F(RowFileTest, Errors) {
   RowFile(plan_.spec, path_, note_).Append(Line(0));
   const auto error = [&] { return folder_.ErrorOf([&] { RowFile(plan_.spec, path_, note_); }); };
