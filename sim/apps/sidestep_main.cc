@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <mujoco/mujoco.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -47,6 +48,12 @@ void GuardStandardStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) open("/dev/null", O_RDWR);
   }
+}
+
+// A pipe that nobody reads any more: who went away knew enough.
+bool HasLostItsReader(int stream) {
+  pollfd state{stream, POLLOUT, 0};
+  return poll(&state, 1, 0) == 1 && (state.revents & POLLERR) != 0;
 }
 
 // MuJoCo calls this on errors it can't return from; it must not come back to it.
@@ -94,7 +101,7 @@ int RunCommandLine(int argc, char** argv) {
     return kExitBadInput;
   }
   const bool is_said = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (is_said || exit_code != kExitPass) return exit_code;
+  if (is_said || HasLostItsReader(STDOUT_FILENO) || exit_code != kExitPass) return exit_code;
   PrintError("sidestep: error: ", "standard output can't be written");
   return kExitBadInput;
 }

@@ -142,7 +142,7 @@ TEST(StandardStreamTest, NoneThatIsClosedTouchesARun) {
   const fs::path whole = folder.path() / "whole";
   ASSERT_EQ(RunProcess({"bash", "-c", run + whole.string()}).exit_code, 0);
   int count = 0;
-  for (const char* streams : {"2>&1 | true", ">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"}) {
+  for (const char* streams : {"2>&1 | true", ">&-", "2>&-", "<&- >&- 2>&-"}) {
     const fs::path out = folder.path() / std::to_string(count++);
     const ProcessResult result =
         RunProcess({"bash", "-c", "set -o pipefail; " + run + out.string() + " " + streams});
@@ -152,6 +152,18 @@ TEST(StandardStreamTest, NoneThatIsClosedTouchesARun) {
     EXPECT_EQ(WithoutWallClock(out / "trajectory.csv"), WithoutWallClock(whole / "trajectory.csv"))
         << streams;
   }
+}
+
+TEST(StandardStreamTest, AFullDiskUnderStdoutIsToldAndTheVerdictStays) {
+  const ScratchFolder folder;
+  const fs::path out = folder.path() / "out";
+  const ProcessResult result = RunProcess(
+      {"bash", "-c",
+       std::string(SIDESTEP_BINARY) + " run " + folder.Write("s.yaml", kStanding).string() +
+           " --no-video --no-plots -q -o " + out.string() + " >/dev/full"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "sidestep: error: standard output can't be written\n");
+  EXPECT_EQ(SummaryOf(out)["verdict"], "PASS");
 }
 
 TEST(OutputFolderTest, AFolderThatIsNotEmptyIsRefusedAndKept) {
