@@ -32,6 +32,13 @@ GaitPlanner MakePlanner(const ControllerSetup& setup, const TouchDownRule& touch
   return {{setup.gait, geometry, setup.tick_s}, setup.control.planner, horizon, touch_downs};
 }
 
+std::optional<dcm::DcmPlan> MakeDcmPlan(const ControllerSetup& setup,
+                                        const mpc::RobotModel& robot) {
+  if (setup.control.stepping == Stepping::kMpc) return std::nullopt;
+  return dcm::DcmPlan(
+      {setup.control, setup.robot.com_height_m, robot.mass_kg, robot.vertices_m, setup.tick_s});
+}
+
 std::vector<FootTarget> StandingFeet(const RobotDescription& robot) {
   std::vector<FootTarget> feet(robot.feet.size());
   for (std::size_t i = 0; i < feet.size(); ++i) {
@@ -50,6 +57,7 @@ MotionChain::MotionChain(const ControllerSetup& setup, const mpc::RobotModel& ro
       mpc_period_(TickAt(1.0 / params_.rate_hz, tick_s_)),
       planner_(MakePlanner(setup, TouchDownsOf(setup, robot, rule))),
       mpc_(params_, robot, tick_s_),
+      dcm_(MakeDcmPlan(setup, robot)),
       timing_(setup.control.planner.timing, params_, setup.robot.com_height_m, robot.mass_kg,
               tick_s_),
       foot_targets_(setup.robot.feet.size(), rule, tick_s_, SearchOf(setup.control.planner),
@@ -64,6 +72,24 @@ const ContactPlan& MotionChain::Schedule(const RobotState& state, Tick tick, Sta
 const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3d& momentum,
                                    Tick tick, StageTimer* timer) {
   report_.ran = false;
+  if (dcm_) {
+    PlanByDcm(state, momentum, tick, timer);
+  } else {
+    PlanByMpc(state, momentum, tick, timer);
+  }
+  return com_;
+}
+
+void MotionChain::PlanByDcm(const RobotState& state, const Eigen::Vector3d& momentum, Tick tick,
+                            StageTimer* timer) {
+  const ScopedStage stage(timer, Stage::kMpc);
+  if (SolvesAt(tick)) momentum_ = momentum;
+  dcm_->Update(state, momentum_, tick, &planner_);
+  com_ = dcm_->com();
+}
+
+void MotionChain::PlanByMpc(const RobotState& state, const Eigen::Vector3d& momentum, Tick tick,
+                            StageTimer* timer) {
   if (SolvesAt(tick)) {
     const ScopedStage stage(timer, Stage::kMpc);
     const auto course = timing_.Choose(state, planner_, momentum, tick, &mpc_);
@@ -84,7 +110,6 @@ const ComTarget& MotionChain::Plan(const RobotState& state, const Eigen::Vector3
     com_.v_WC = nominal.v_WC;
     com_.a_WC = nominal.a_WC;
   }
-  return com_;
 }
 
 const std::vector<FootTarget>& MotionChain::TargetFeet(const RobotState& state, Tick tick,
@@ -93,7 +118,9 @@ const std::vector<FootTarget>& MotionChain::TargetFeet(const RobotState& state, 
   foot_targets_.Update(state, planner_.plan(), tick, &feet_);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     FootTarget& foot = feet_[i];
-    if (mpc_.has_plan() && foot.planned_contact) {
+    if (dcm_ && foot.planned_contact) {
+      foot.vertex_force_N = dcm_->ForceOn(i);
+    } else if (mpc_.has_plan() && foot.planned_contact) {
       foot.vertex_force_N = mpc_.ForceAt(i, tick);
     } else {
       foot.vertex_force_N.setZero();
@@ -112,6 +139,7 @@ void MotionChain::WriteTo(ControlTick* tick) const {
 }
 
 std::string MotionChain::LastProblemJson(const std::string& name) const {
+  if (dcm_) return {};
   nlohmann::json problem = mpc::ToJson(mpc_.problem());
   problem["name"] = name;
   return problem.dump(1) + "\n";

@@ -4,14 +4,18 @@
 //
 //   state -> schedule (planner) -> plan (MPC) -> feet (swing)
 //
+// With control.stepping dcm_qp or capture_point the second link is a DcmPlan instead.
+//
 // What is before it (an estimator) and after it (a whole-body control, or the bare forces) makes a
 // controller of it; see locomotion_controller.cc and centroidal_controller.cc. Each link keeps its
 // answer until its next call and reports to the stage timer.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "controller/controller.h"
+#include "controller/dcm/dcm_plan.h"
 #include "controller/mpc/centroidal_mpc.h"
 #include "controller/planner/gait_planner.h"
 #include "controller/swing/foot_targets.h"
@@ -53,16 +57,25 @@ class MotionChain {
   std::string LastProblemJson(const std::string& name) const;
 
  private:
+  /// The second link in the MPC's hands.
+  void PlanByMpc(const RobotState& state, const Eigen::Vector3d& momentum, Tick tick,
+                 StageTimer* timer);
+  /// In those of a baseline.
+  void PlanByDcm(const RobotState& state, const Eigen::Vector3d& momentum, Tick tick,
+                 StageTimer* timer);
+
   MpcParams params_;
   double tick_s_;
   Tick mpc_period_;
   GaitPlanner planner_;
   mpc::CentroidalMpc mpc_;
+  std::optional<dcm::DcmPlan> dcm_;  // in the place of mpc_ and timing_
   TimingChoice timing_;
   mpc::GridReferences references_;
   FootTargets foot_targets_;
   MpcReport report_;
   ComTarget com_;
+  Eigen::Vector3d momentum_{Eigen::Vector3d::Zero()};  // Plan()'s last that counts, for dcm_
   std::vector<FootTarget> feet_;
 };
 

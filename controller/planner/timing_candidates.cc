@@ -5,6 +5,7 @@
 
 #include "controller/planner/gait_writer.h"
 #include "controller/planner/schedule_edits.h"
+#include "controller/planner/step_ahead.h"
 
 namespace sidestep {
 namespace {
@@ -14,27 +15,6 @@ constexpr int kStepsFromStanding = 4;  // two to catch the robot, two to close u
 bool StandsStill(const GaitSetup& setup, const GaitSupport& support) {
   const GaitWriter writer(setup, support, nullptr);
   return writer.NextGait().type == GaitType::kStand && writer.FeetSideBySide();
-}
-
-// The walk's step that is under way.
-struct StepAhead {
-  GaitParams gait;
-  int foot{0};
-  Tick lift_off{0};
-  Tick landing{0};
-};
-
-std::optional<StepAhead> StepAheadOf(const GaitSetup& setup, const GaitSupport& support) {
-  GaitWriter writer(setup, support, nullptr);
-  StepAhead step;
-  step.gait = writer.NextGait();
-  if (step.gait.type != GaitType::kWalk || !writer.Step()) return std::nullopt;
-  const GaitSupport& after = writer.support();
-  step.landing = after.tick;
-  step.foot = after.feet[0].nominal.sequence == after.sequence ? 0 : 1;
-  const auto at = static_cast<std::size_t>(step.foot);
-  step.lift_off = writer.lift_off(step.foot).value_or(support.feet[at].nominal.contact.end_tick);
-  return step;
 }
 
 // As the gait, but off the ground at once and in the air for `swing` ticks.
@@ -121,7 +101,7 @@ void ListTimingCandidates(const GaitSetup& setup, const GaitSupport& support, Ti
     return;
   }
   const auto step = StepAheadOf(setup, support);
-  if (!step || step->landing <= now) return;
+  if (!step || step->gait.type != GaitType::kWalk || step->landing <= now) return;
   if (step->lift_off > now) {
     ListLiftOffs(setup, support, now, *step, limits, candidates);
   } else {

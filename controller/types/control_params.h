@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "controller/types/dcm_params.h"
 #include "controller/types/field.h"
 #include "controller/types/gait_params.h"
 #include "controller/types/inverse_dynamics_params.h"
@@ -52,6 +53,22 @@ template <>
 struct EnumNames<EstimatorKind> {
   static constexpr std::array<std::pair<EstimatorKind, std::string_view>, 2> kNames{
       {{EstimatorKind::kSensors, "sensors"}, {EstimatorKind::kTruth, "truth"}}};
+};
+
+/// What decides the CoM's motion, the feet's forces and footholds, and when feet land. The others
+/// are baselines to compare the MPC with: two feet, mode torque, walk and stand.
+enum class Stepping {
+  kMpc,          ///< The model predictive control.
+  kDcmQp,        ///< Step place and time by a QP on the DCM (dcm/step_qp.h), and DCM tracking.
+  kCapturePoint  ///< Steps to the capture point by the clock (dcm/step_qp.h), and DCM tracking.
+};
+
+template <>
+struct EnumNames<Stepping> {
+  static constexpr std::array<std::pair<Stepping, std::string_view>, 3> kNames{
+      {{Stepping::kMpc, "mpc"},
+       {Stepping::kDcmQp, "dcm_qp"},
+       {Stepping::kCapturePoint, "capture_point"}}};
 };
 
 /// Noise that the state estimator assumes (standard deviations) and its contact threshold.
@@ -123,7 +140,9 @@ struct ControlParams {
   ExternalWrenchKnowledge external_wrench{ExternalWrenchKnowledge::kUnknown};
   EstimatorKind estimator{EstimatorKind::kSensors};
   PlannerParams planner;
+  Stepping stepping{Stepping::kMpc};
   MpcParams mpc;
+  DcmParams dcm;  ///< Counts unless `stepping` is kMpc.
   InverseDynamicsParams inverse_dynamics;
   InverseKinematicsParams inverse_kinematics;
   EstimatorParams estimation;
@@ -139,7 +158,11 @@ struct ControlParams {
           "estimated: what arms and momentum feel; known: all, from the simulation");
     visit("estimator", self.estimator, "sensors, or truth: the exact state");
     visit("planner", self.planner, "how the nominal path follows a pushed robot");
+    visit("stepping", self.stepping,
+          "what plans CoM, forces and steps: mpc; or a baseline to compare with: dcm_qp: place and "
+          "time of the step by a QP; capture_point: to the capture point, by the clock");
     visit("mpc", self.mpc, "the model predictive control of CoM, footholds and forces");
+    visit("dcm", self.dcm, "of the baselines dcm_qp and capture_point");
     visit("inverse_dynamics", self.inverse_dynamics, "gains and weights of mode torque");
     visit("inverse_kinematics", self.inverse_kinematics, "gains and weights of mode position");
     visit("estimation", self.estimation,

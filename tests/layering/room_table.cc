@@ -18,7 +18,7 @@ const Folders kRobot{"models/support", "models/mjcf", "models/robot_description"
 const Folders kTypes{"controller/types", "models/support"};
 const Folders kChain{"controller/types",   "controller/model", "controller/estimator",
                      "controller/planner", "controller/mpc",   "controller/swing",
-                     "controller/wbc"};
+                     "controller/wbc",     "controller/dcm"};
 const Folders kDoor{"controller/controller.h", "controller/make_controller.h"};
 const Folders kScenario = kRobot + Folders{"controller/types", "sim/scenario"};
 const Folders kWorld = kScenario + Folders{"sim/world"};
@@ -50,6 +50,7 @@ std::vector<Room> ControllerRooms() {
       {"controller/swing", kTypes},
       {"controller/wbc/qp", kTypes},
       {"controller/wbc", kTypes + Folders{"controller/model", "controller/wbc/qp"}},
+      {"controller/dcm", kTypes + Folders{"controller/planner", "controller/wbc/qp"}},
       {"controller", kChain + kRobot + Folders{"controller/mpc/problem"}},
   };
 }
