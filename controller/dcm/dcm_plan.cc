@@ -128,7 +128,8 @@ void DcmPlan::DecideOnStep(const RobotState& state, GaitPlanner* planner) {
   if (contact == nullptr) return;
   const GaitSupport& support = planner->support();
   const double delay_s = SwitchDelay_s(WalkOf(*step, support).double_support_s, omega_per_s_);
-  const StepProblem problem = Pose(state, support, *step, *contact, delay_s);
+  StepProblem problem = Pose(support, *step, *contact, delay_s);
+  problem.stance_m = HeldPressure(state, static_cast<std::size_t>(1 - step->foot), problem);
   const bool has_begun =
       BeganByLanding(support) ? problem.elapsed_s >= 0.0 : now_ >= step->lift_off;
   if (!has_begun) return;
@@ -142,9 +143,8 @@ void DcmPlan::DecideOnStep(const RobotState& state, GaitPlanner* planner) {
 
 // T is counted from where the support might have jumped to the standing foot to where it might jump
 // to the next one: both SwitchDelay_s after a landing.
-StepProblem DcmPlan::Pose(const RobotState& state, const GaitSupport& support,
-                          const StepAhead& step, const PlannedContact& contact,
-                          double delay_s) const {
+StepProblem DcmPlan::Pose(const GaitSupport& support, const StepAhead& step,
+                          const PlannedContact& contact, double delay_s) const {
   const GaitParams& gait = WalkOf(step, support);
   const TimingParams& timing = setup_.control.planner.timing;
   const double both_s = SecondsAt(step.lift_off - support.tick, setup_.tick_s);
@@ -156,7 +156,6 @@ StepProblem DcmPlan::Pose(const RobotState& state, const GaitSupport& support,
   StepProblem problem;
   problem.omega_per_s = omega_per_s_;
   problem.elapsed_s = -begin_s;
-  problem.stance_m = state.feet[static_cast<std::size_t>(1 - step.foot)].p_WF.head<2>();
   problem.dcm_m = dcm_m_;
   problem.nominal_step_m = contact.nominal_p_WF.head<2>();
   problem.least_step_m = problem.nominal_step_m + contact.box_lower_m.head<2>();
@@ -208,20 +207,36 @@ void DcmPlan::Tell(const StepAhead& step, const PlannedContact& contact, Tick la
   planner->AdoptFootholds(told_);
 }
 
+void DcmPlan::AddSole(const RobotState& state, std::size_t foot, SupportArea* area) const {
+  const FootState& at = state.feet[foot];
+  const Eigen::Matrix3Xd& vertices_m = setup_.vertices_m[foot];
+  const Eigen::Vector3d middle_m = vertices_m.rowwise().mean();
+  for (const auto& vertex_m : vertices_m.colwise()) {
+    const Eigen::Vector3d inner_m =
+        middle_m + setup_.control.dcm.sole_share * (vertex_m - middle_m);
+    area->Add((at.p_WF + at.R_WF * inner_m).head<2>(), 0.0);
+  }
+}
+
+// The pressure that, held until the support's end, would let the nominal step do; as near to it as
+// the sole reaches.
+Eigen::Vector2d DcmPlan::HeldPressure(const RobotState& state, std::size_t stance,
+                                      const StepProblem& problem) const {
+  SupportArea sole;
+  AddSole(state, stance, &sole);
+  const double ahead_s = std::max(problem.nominal_s - problem.elapsed_s, setup_.tick_s);
+  const double growth = std::exp(omega_per_s_ * ahead_s);
+  const Eigen::Vector2d end_m = problem.nominal_step_m + problem.nominal_offset_m;
+  return sole.Nearest((growth * problem.dcm_m - end_m) / (growth - 1.0));
+}
+
 void DcmPlan::Bear(const RobotState& state, const ContactPlan& plan,
                    const Eigen::Vector3d& momentum, double height_m) {
   SupportArea area;
   for (std::size_t foot = 0; foot < 2; ++foot) {
     stands_[foot] = plan.feet[foot].front().start_tick <= now_;
     if (!stands_[foot]) continue;
-    const FootState& at = state.feet[foot];
-    const Eigen::Matrix3Xd& vertices_m = setup_.vertices_m[foot];
-    const Eigen::Vector3d middle_m = vertices_m.rowwise().mean();
-    for (const auto& vertex_m : vertices_m.colwise()) {
-      const Eigen::Vector3d inner_m =
-          middle_m + setup_.control.dcm.sole_share * (vertex_m - middle_m);
-      area.Add((at.p_WF + at.R_WF * inner_m).head<2>(), 0.0);
-    }
+    AddSole(state, foot, &area);
   }
   const Eigen::Vector2d error_m = dcm_m_ - path_.DcmAt(0.0, end_m_, omega_per_s_);
   Eigen::Vector2d pressure_m =

@@ -8,9 +8,10 @@
 // The VRP is meant to be under the standing foot and to go straight over to the next one in each
 // double support; from the footholds to come the DCM's reference follows backwards. What the DCM
 // is off it, the pressure takes back at gain_per_s as far as the soles reach, and the next step
-// takes the rest (step_qp.h). The CoM needs no reference: it follows the DCM. Sources: see
-// pendulum.h and step_qp.h; here nominal footholds are the planner's, which follow the robot as
-// PlannerParams::follow says, and a step that is moved in time is an edit of the schedule.
+// takes the rest (step_qp.h), counting on what the pressure could do if held until then. The CoM
+// needs no reference: it follows the DCM. Sources: see pendulum.h and step_qp.h; here nominal
+// footholds are the planner's, which follow the robot as PlannerParams::follow says, and a step
+// that is moved in time is an edit of the schedule.
 //
 // A value: copies go on alike. Two feet on level ground.
 
@@ -68,8 +69,11 @@ class DcmPlan {
   void AddRest(const GaitSupport& support, const Feet& feet, std::optional<Tick> until);
   void AddStep(const GaitSupport& support, const StepAhead& step, const Feet& feet);
   void DecideOnStep(const RobotState& state, GaitPlanner* planner);
-  StepProblem Pose(const RobotState& state, const GaitSupport& support, const StepAhead& step,
-                   const PlannedContact& contact, double delay_s) const;
+  StepProblem Pose(const GaitSupport& support, const StepAhead& step, const PlannedContact& contact,
+                   double delay_s) const;
+  void AddSole(const RobotState& state, std::size_t foot, SupportArea* area) const;
+  Eigen::Vector2d HeldPressure(const RobotState& state, std::size_t stance,
+                               const StepProblem& problem) const;
   void BoundOffset(const StepAhead& step, const GaitParams& gait, StepProblem* problem) const;
   void Tell(const StepAhead& step, const PlannedContact& contact, Tick landing,
             GaitPlanner* planner);

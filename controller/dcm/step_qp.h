@@ -28,9 +28,9 @@ namespace sidestep::dcm {
 /// One step of the pendulum; horizontal, in W.
 struct StepProblem {
   double omega_per_s{1.0};
-  double elapsed_s{0.0};  ///< Since the support began, >= 0.
-  Eigen::Vector2d stance_m{Eigen::Vector2d::Zero()};
-  Eigen::Vector2d dcm_m{Eigen::Vector2d::Zero()};  ///< Now.
+  double elapsed_s{0.0};                              ///< Since the support began, >= 0.
+  Eigen::Vector2d stance_m{Eigen::Vector2d::Zero()};  ///< Where the pressure is until then.
+  Eigen::Vector2d dcm_m{Eigen::Vector2d::Zero()};     ///< Now.
   Eigen::Vector2d nominal_step_m{Eigen::Vector2d::Zero()};
   Eigen::Vector2d least_step_m{Eigen::Vector2d::Zero()};  ///< Never above most_step_m.
   Eigen::Vector2d most_step_m{Eigen::Vector2d::Zero()};
