@@ -11,10 +11,6 @@
 namespace sidestep::map {
 namespace {
 
-bool Has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(DrawingTest, HostileTextStaysText) {
   Drawing drawing(100.0, 50.0);
   drawing.Text({1.0, 2.0}, "<script>'\"&\n`x`");

@@ -15,6 +15,11 @@ inline constexpr const char* kHeader =
     "reasons,"
     "impulse_Nspkg,fall\n";
 
+/// Whether `text` has `part` somewhere.
+inline bool Has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// A run's row of a table with kHeader.
 inline std::string MadeRow(int ray, const std::string& controller, const std::string& direction,
                            const std::string& strength, const std::string& outcome,

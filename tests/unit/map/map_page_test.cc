@@ -11,10 +11,6 @@
 namespace sidestep::map {
 namespace {
 
-bool Has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(MapPageTest, HasFiguresPicturesAndASheetACell) {
   SweepMap map = MadeMap();
   map.cells[1].commands = {{"lost", "sidestep run 'a<b'"}};
