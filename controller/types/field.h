@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -48,6 +49,15 @@ constexpr std::string_view EnumName(Enum value) {
     if (candidate == value) return name;
   }
   return "?";
+}
+
+/// The enum's value of that name, or nothing.
+template <typename Enum>
+constexpr std::optional<Enum> EnumOfName(std::string_view name) {
+  for (const auto& [value, known] : EnumNames<Enum>::kNames) {
+    if (known == name) return value;
+  }
+  return std::nullopt;
 }
 
 /// Every value of a named enum, in the order of its names.

@@ -77,7 +77,7 @@ RobotDescription ReadRobotDescription(const std::filesystem::path& file) {
   RobotDescription robot;
   robot.file = std::filesystem::absolute(file).lexically_normal();
   ReadVersion(map);
-  robot.name = ReadWord(map.Required("name"));
+  robot.name = map.Required("name").Word();
   robot.com_height_m = map.Required("com_height_m").Number(0.01, kMaxLength_m);
   if (map.Optional("urdf")) {
     if (map.Optional("mjcf")) map.FailAtKey("mjcf", "can't be beside a urdf");
@@ -101,15 +101,9 @@ const RobotModel& RequireModel(const RobotDescription& robot) {
 RobotNames NamesIn(const RobotDescription& description) {
   RobotNames names;
   if (description.model) {
-    // A scenario's checks ask twice, and a sweep's runs ask for the same again and again.
-    thread_local RobotModel last;
-    thread_local RobotNames last_names;
     const RobotModel& model = *description.model;
-    if (last.drawn_mjcf == model.drawn_mjcf && last.file == model.file) return last_names;
     MjcfNames parts = NamesOf(*CompileMjcf(model.drawn_mjcf, "", model.file));
-    last_names = {std::move(parts.bodies), std::move(parts.sites), std::move(parts.unfit_motors)};
-    last = model;
-    return last_names;
+    return {std::move(parts.bodies), std::move(parts.sites), std::move(parts.unfit_motors)};
   }
   names.bodies.emplace_back("com");
   for (const FootDescription& foot : description.feet) names.frames.push_back(foot.frame);

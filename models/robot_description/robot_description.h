@@ -87,8 +87,7 @@ struct RobotNames {
   std::vector<UnfitMotor> unfit_motors;  ///< For control by torque.
 };
 
-/// Compiles the model to list its names, unless it is the one that this thread asked for last.
-/// Throws ConfigError with MuJoCo's message if it can't.
+/// Compiles the model to list its names. Throws ConfigError with MuJoCo's message if it can't.
 RobotNames NamesIn(const RobotDescription& description);
 
 }  // namespace sidestep

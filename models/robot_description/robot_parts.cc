@@ -8,7 +8,6 @@
 
 #include "models/robot_description/force_shares.h"
 #include "models/support/nearest_name.h"
-#include "models/support/plain_word.h"
 
 namespace sidestep {
 namespace {
@@ -66,7 +65,7 @@ Eigen::VectorXd ReadPreferredCop(const ConfigNode& node, const Eigen::Matrix3Xd&
 FootDescription ReadFoot(const ConfigNode& node, const KnownParts* parts) {
   ConfigMap map = node.Map();
   FootDescription foot;
-  foot.name = ReadWord(map.Required("name"));
+  foot.name = map.Required("name").Word();
   if (parts != nullptr) {
     foot.frame =
         ReadPart(map.Required("frame"), parts->names.sites, parts->frame_kind, parts->language);
@@ -104,12 +103,6 @@ std::map<std::string, double> ReadHome(const ConfigNode& node, const KnownParts&
 std::string ReadName(const ConfigNode& node) {
   std::string name = node.Text();
   if (name.empty()) node.Fail("must not be empty");
-  return name;
-}
-
-std::string ReadWord(const ConfigNode& node) {
-  std::string name = node.Text();
-  if (!IsPlainWord(name)) node.Fail("= '" + name + "' must be " + std::string(kPlainWordRule));
   return name;
 }
 

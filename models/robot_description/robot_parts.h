@@ -27,9 +27,6 @@ struct KnownParts {
 /// Text that must not be empty.
 std::string ReadName(const ConfigNode& node);
 
-/// A name that this file gives to something, not one that its model has: a plain word.
-std::string ReadWord(const ConfigNode& node);
-
 /// Elements that are texts, none empty, no two the same.
 std::vector<std::string> ReadNames(const ConfigNode& node);
 

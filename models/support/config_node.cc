@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "models/support/nearest_name.h"
+#include "models/support/plain_word.h"
 
 namespace sidestep {
 namespace {
@@ -122,6 +123,12 @@ bool ConfigNode::Bool() const {
 std::string ConfigNode::Text() const {
   if (tree_->kind != ConfigKind::kScalar) Fail("must be text, not " + Describe(*tree_));
   return tree_->scalar;
+}
+
+std::string ConfigNode::Word() const {
+  std::string name = Text();
+  if (!IsPlainWord(name)) Fail("= '" + name + "' must be " + std::string(kPlainWordRule));
+  return name;
 }
 
 std::size_t ConfigNode::Choice(std::span<const std::string> names) const {

@@ -44,6 +44,9 @@ class ConfigNode {
   /// Any scalar as text; may be empty only if it was quoted.
   std::string Text() const;
 
+  /// A name that this file gives to something: a plain word (plain_word.h).
+  std::string Word() const;
+
   /// Index of the value in `names`.
   std::size_t Choice(std::span<const std::string> names) const;
 

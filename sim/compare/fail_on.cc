@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/compare/fail_on.h"
 
-#include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "models/support/config_error.h"
+#include "models/support/parse_number.h"
 
 namespace sidestep {
 
@@ -24,10 +25,9 @@ FailOn ParseFailOn(const std::string& text) {
   if (is_percent && !has_sign) fail();
   if (is_percent) value.pop_back();
   if (value.starts_with("+")) value.erase(0, 1);
-  const auto [end, error] =
-      std::from_chars(value.data(), value.data() + value.size(), condition.bound);
-  const bool is_number = error == std::errc() && end == value.data() + value.size();
-  if (!is_number || !std::isfinite(condition.bound)) fail();
+  const std::optional<double> bound = ParseAs<double>(value);
+  if (!bound || !std::isfinite(*bound)) fail();
+  condition.bound = *bound;
   return condition;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "sim/map/drawing.h"
-#include "sim/process/process.h"
+#include "sim/process/gnuplot.h"
 
 namespace sidestep::map {
 namespace {
@@ -18,16 +18,6 @@ std::string Coordinate(double value) {
 std::string At(const Point& point) { return Coordinate(point.x) + "," + Coordinate(point.y); }
 
 std::string Color(const std::string& color) { return " rgb '" + LightColor(color) + "'"; }
-
-// Single quotes, in which gnuplot takes all but the quote as it is; it reads line by line.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') quoted += '\'';
-    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return quoted + "'";
-}
 
 std::string Border(const Paint& paint) {
   if (paint.stroke.empty()) return " noborder";
@@ -74,7 +64,7 @@ std::string LabelText(const Shape& shape, double scale) {
   constexpr double kPointsAPixel = 0.75;
   const std::string font = std::string("DejaVu Sans") + (shape.is_bold ? ":Bold" : "") + "," +
                            Coordinate(scale * kPointsAPixel * shape.size);
-  return "set label " + Quoted(shape.text) + " at " + At(shape.points.front()) + side +
+  return "set label " + GnuplotText(shape.text) + " at " + At(shape.points.front()) + side +
          " noenhanced front font '" + font + "' textcolor" + Color(shape.paint.fill) + "\n";
 }
 
@@ -111,7 +101,7 @@ std::string PngScript(const Drawing& drawing, double scale) {
 }
 
 std::string PngFile(const Drawing& drawing, double scale) {
-  return RunOrThrow({"gnuplot", "-"}, PngScript(drawing, scale)).out;
+  return RunGnuplot({"-"}, PngScript(drawing, scale));
 }
 
 }  // namespace sidestep::map

@@ -55,14 +55,15 @@ Scenario ScenarioOfCell(const SweepPlan& plan, const MapCell& cell) {
 
 std::string NoteOf(const Scenario& scenario, const Push& push) {
   // A hop's limit is of an instant push (limit_table.h).
-  const bool is_hop = limit::LimitSubjectOf(scenario).gait == GaitType::kHop;
+  const limit::LimitSubject subject = limit::LimitSubjectOf(scenario);
+  const bool is_hop = subject.gait == GaitType::kHop;
   char text[400];
   std::snprintf(
       text, sizeof text,
       "a linear pendulum of omega %.2f /s, pushed at its CoM for %s (the map's pushes act "
       "on '%s' for %.3g s)",
-      std::sqrt(kGravity_mps2 / scenario.robot.com_height_m), is_hop ? "an instant" : "as long",
-      push.body.c_str(), push.duration_s);
+      subject.params.omega_per_s, is_hop ? "an instant" : "as long", push.body.c_str(),
+      push.duration_s);
   return text;
 }
 

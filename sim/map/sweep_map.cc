@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <tuple>
 
 #include "models/support/config_error.h"
+#include "models/support/parse_number.h"
 #include "sim/record/run_reader.h"
 #include "sim/sweep/axis.h"
 #include "sim/sweep/csv_line.h"
@@ -19,14 +19,9 @@ namespace {
 
 constexpr std::size_t kBeforeAxes = 3;  // ray, id, controller
 
-bool EndsIn(const std::string& key, std::string_view ending) {
-  return key.size() >= ending.size() &&
-         key.compare(key.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 bool IsStrength(const std::string& key) {
-  return key.starts_with("pushes.") &&
-         (EndsIn(key, ".magnitude_N") || EndsIn(key, ".magnitude_mg") || EndsIn(key, "_Nspkg"));
+  return key.starts_with("pushes.") && (key.ends_with(".magnitude_N") ||
+                                        key.ends_with(".magnitude_mg") || key.ends_with("_Nspkg"));
 }
 
 /// Which columns of the table mean what.
@@ -54,7 +49,7 @@ Columns ColumnsOf(const std::string& header, const std::string& file) {
   }
   for (std::size_t i = kBeforeAxes; i < columns.after_axes; ++i) {
     const std::string& key = columns.names[i];
-    if (!columns.direction && EndsIn(key, "direction_rad")) {
+    if (!columns.direction && key.ends_with("direction_rad")) {
       columns.direction = i;
     } else if (!IsStrength(key)) {
       columns.panel.push_back(i);
@@ -90,11 +85,7 @@ class Names {
   std::map<std::string, std::size_t> places_;
 };
 
-double NumberOf(const std::string& text) {
-  double value = kUnknown;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
+double NumberOf(const std::string& text) { return ParseAs<double>(text).value_or(kUnknown); }
 
 /// Gathers rows.
 class MapBuilder {

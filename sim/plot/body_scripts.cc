@@ -3,6 +3,7 @@
 #include <array>
 
 #include "sim/plot/plot_script.h"
+#include "sim/process/gnuplot.h"
 
 namespace sidestep::plot {
 namespace {
@@ -22,9 +23,9 @@ std::string TrueAndFelt(const std::string& quantity, const std::string& suffix, 
 
 // Distance of the centre of pressure from F along an axis of W: -m_y / f_z and m_x / f_z.
 std::string Pressure(const std::string& foot, bool is_x) {
-  const std::string force = "column(" + Verbatim("truth_f_F_W_" + foot + "_z_N") + ")";
+  const std::string force = "column(" + GnuplotText("truth_f_F_W_" + foot + "_z_N") + ")";
   const std::string moment =
-      "column(" + Verbatim("truth_m_F_W_" + foot + (is_x ? "_y_Nm" : "_x_Nm")) + ")";
+      "column(" + GnuplotText("truth_m_F_W_" + foot + (is_x ? "_y_Nm" : "_x_Nm")) + ")";
   return "(" + force + " > " + kLeastLoad_N + " ? " + (is_x ? "-" : "") + moment + "/" + force +
          " : NaN)";
 }
@@ -70,7 +71,7 @@ std::string FeetScript(const PlotData& data) {
       script += ", \\\n  '" + std::string(kThinnedFile) +
                 "' using \"time_s\":" + Pressure(data.feet[i], is_x) + " with lines " +
                 LineStyle(FootColor(i), "linewidth 1.4 ") +
-                (is_x ? "notitle" : "title " + Verbatim(data.feet[i]));
+                (is_x ? "notitle" : "title " + GnuplotText(data.feet[i]));
     }
   }
   script += ", \\\n  keyentry with lines " + LineStyle(kNominalColor, "dashtype (5,3)") +

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "sim/plot/plot_script.h"
+#include "sim/process/gnuplot.h"
 
 namespace sidestep::plot {
 namespace {
@@ -11,10 +12,10 @@ constexpr const char* kFootsteps = "'../footsteps.csv'";
 
 // A gnuplot expression: a column of this foot's rows, undefined in others.
 std::string OfFoot(const std::string& foot, const std::string& expression) {
-  return "(strcol(\"foot\") eq " + Verbatim(foot) + " ? " + expression + " : NaN)";
+  return "(strcol(\"foot\") eq " + GnuplotText(foot) + " ? " + expression + " : NaN)";
 }
 
-std::string Column(const std::string& name) { return "(column(" + Verbatim(name) + "))"; }
+std::string Column(const std::string& name) { return "(column(" + GnuplotText(name) + "))"; }
 
 // The four edges of the box that the foothold may move in, turned by the foot's yaw.
 void AddBoxToTopView(const std::string& foot, const std::string& color, std::ostream& script) {
@@ -51,7 +52,7 @@ void AddFootToTopView(const std::string& foot, const std::string& color, std::os
          << "\" notitle"
          << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("adjusted_x_m")) << ":"
          << Column("adjusted_y_m") << " with points pointtype 7 pointsize 0.9 linecolor rgb \""
-         << color << "\" title " << Verbatim(foot + ", adjusted") << ", \\\n  " << kFootsteps
+         << color << "\" title " << GnuplotText(foot + ", adjusted") << ", \\\n  " << kFootsteps
          << " using " << OfFoot(foot, Column("realised_x_m")) << ":" << Column("realised_y_m")
          << " with points pointtype 2 pointsize 0.7 linewidth 1.2 linecolor rgb \"" << color
          << "\" notitle";
@@ -80,14 +81,14 @@ std::string FootCurve(const std::string& expression, const std::string& color,
                       const std::string& title) {
   return "'" + std::string(kThinnedFile) + "' using \"time_s\":(" + expression +
          ") with lines linecolor rgb \"" + color + "\" linewidth 1.4 " +
-         (title.empty() ? "notitle" : "title " + Verbatim(title));
+         (title.empty() ? "notitle" : "title " + GnuplotText(title));
 }
 
 }  // namespace
 
 std::string TopViewScript(const PlotData& data) {
   std::ostringstream script;
-  script << "set title " << Verbatim(data.title + ": footsteps and centre of mass from above")
+  script << "set title " << GnuplotText(data.title + ": footsteps and centre of mass from above")
          << "\nset lmargin at screen 0.10\nset rmargin at screen 0.975\n"
          << "set bmargin at screen 0.165\nset tmargin at screen 0.93\n"
          << "set size ratio -1\nset xlabel 'x, forward (m)'\nset ylabel 'y, left (m)'\n";
@@ -153,7 +154,7 @@ std::string AdjustmentScript(const PlotData& data) {
                 "):" + Column("box_lower" + stem) + ":" + Column("box_upper" + stem) +
                 " with yerrorbars pointtype 7 pointsize 0.7 linewidth 0.8 linecolor rgb \"" +
                 FootColor(i) + "\" " +
-                (has_key ? "title " + Verbatim(foot + ", taken (bar: allowed)") : "notitle");
+                (has_key ? "title " + GnuplotText(foot + ", taken (bar: allowed)") : "notitle");
     }
     if (has_key) script += ", \\\n  " + PushKey(data);
     script += "\n";

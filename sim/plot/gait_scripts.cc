@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "sim/plot/plot_script.h"
+#include "sim/process/gnuplot.h"
 
 namespace sidestep::plot {
 namespace {
@@ -46,7 +47,7 @@ std::string BarCurve(const std::string& name, const std::string& style, const st
   return "$" + name +
          " using \"start_s\":\"bottom\":\"start_s\":\"end_s\":\"bottom\":\"top\" with "
          "boxxyerror " +
-         style + (title.empty() ? " notitle" : " title " + Verbatim(title));
+         style + (title.empty() ? " notitle" : " title " + GnuplotText(title));
 }
 
 std::string FillStyle(const std::string& color, const std::string& density) {
@@ -70,7 +71,7 @@ void AddTables(const PlotData& data, std::ostream& script) {
 void SetLines(const PlotData& data, std::ostream& script) {
   script << "set ytics (";
   for (std::size_t i = 0; i < data.feet.size(); ++i) {
-    script << (i == 0 ? "" : ", ") << Verbatim(data.feet[i]) << " " << data.feet.size() - i;
+    script << (i == 0 ? "" : ", ") << GnuplotText(data.feet[i]) << " " << data.feet.size() - i;
   }
   const bool has_flights = !data.flights.empty();
   script << (has_flights ? ", 'flight' 0)" : ")") << "\nset yrange ["
@@ -83,8 +84,8 @@ void AddGaitNames(const PlotData& data, std::ostream& script) {
   for (const AskedGaitStart& gait : data.gaits) {
     script << "set arrow " << arrow++ << " from " << gait.start_s << ", graph 0 to " << gait.start_s
            << ", graph 1 nohead linecolor rgb \"" << kNominalColor
-           << "\" dashtype (4,4)\nset label " << Verbatim(" " + gait.type) << " at " << gait.start_s
-           << ", graph 0.96 font ',9'\n";
+           << "\" dashtype (4,4)\nset label " << GnuplotText(" " + gait.type) << " at "
+           << gait.start_s << ", graph 0.96 font ',9'\n";
   }
 }
 

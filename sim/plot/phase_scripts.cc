@@ -7,6 +7,7 @@
 
 #include "models/support/require.h"
 #include "sim/plot/plot_script.h"
+#include "sim/process/gnuplot.h"
 
 namespace sidestep::plot {
 namespace {
@@ -46,7 +47,7 @@ std::string Portrait(const PlotData& data, const std::string& value, const std::
                         const std::string& title) {
     return "'" + std::string(kPhaseFile) + "' using (" + condition + " ? column(\"" + value +
            "\") : NaN):\"" + rate + "\" with lines " + style +
-           (has_key ? " title " + Verbatim(title) : " notitle");
+           (has_key ? " title " + GnuplotText(title) : " notitle");
   };
   if (data.pushes.empty()) {
     return "plot " + part("1", LineStyle(kTruthColor, "linewidth 0.8"), "true");
@@ -79,16 +80,16 @@ std::string PhasePortraitScript(const PlotData& data) {
   const std::size_t rows = data.phases.size() > 2 ? 2 : 1;
   const std::size_t columns = data.phases.size() > 1 ? 2 : 1;
   script << "set multiplot layout " << rows << "," << columns << " title "
-         << Verbatim(data.title + ": phase portraits, true motion")
+         << GnuplotText(data.title + ": phase portraits, true motion")
          << " margins 0.10,0.975,0.165,0.91 spacing 0.11,0.14\n";
   DefinePushTimes(data, script);
   if (data.phases.empty()) script << "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";
   for (const PhaseRange& phase : data.phases) {
     const bool is_last = &phase == &data.phases.back();
     const PhasePanel& panel = PanelOf(phase.column);
-    script << "set title " << Verbatim(panel.title) << " offset 0,-0.6\nset xlabel "
-           << Verbatim(panel.value_label) << " offset 0,0.4\nset ylabel "
-           << Verbatim(panel.rate_label) << " offset 0.5\nset xtics "
+    script << "set title " << GnuplotText(panel.title) << " offset 0,-0.6\nset xlabel "
+           << GnuplotText(panel.value_label) << " offset 0,0.4\nset ylabel "
+           << GnuplotText(panel.rate_label) << " offset 0.5\nset xtics "
            << NiceStep((phase.max - phase.min) / kTicsAPanel) << "\n"
            << Portrait(data, panel.value, panel.rate, is_last) << "\n";
   }

@@ -6,7 +6,7 @@
 #include "models/support/config_error.h"
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
-#include "sim/process/process.h"
+#include "sim/process/gnuplot.h"
 
 namespace sidestep {
 namespace {
@@ -37,12 +37,11 @@ void PlotRun(const std::filesystem::path& run_dir) {
   if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
   WriteText(dir / plot::kThinnedFile, data.thinned_csv);
   WriteText(dir / plot::kPhaseFile, data.phase_csv);
-  // -d: a user's own ~/.gnuplot changes nothing.
   for (const plot::PlotScript& script : plot::AllScripts()) {
     const std::string file = script.name + ".gp";
     WriteText(dir / file, plot::Preamble(script.name) + script.body(data));
-    RunOrThrow({"gnuplot", "-d", file}, {}, dir);
-    RunOrThrow({"gnuplot", "-d", "-e", "format='png'", file}, {}, dir);
+    RunGnuplot({file}, {}, dir);
+    RunGnuplot({"-e", "format='png'", file}, {}, dir);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/plot/plot_script.h"
+#include "sim/process/gnuplot.h"
 
 #include <array>
 #include <sstream>
@@ -51,23 +52,14 @@ std::string StartPanels(const PlotData& data, const std::string& title, int rows
            << "\" fillstyle transparent solid 0.16 noborder  # push\n";
   }
   script << "set multiplot layout " << rows << "," << columns << " title "
-         << Verbatim(data.title + ": " + title)
+         << GnuplotText(data.title + ": " + title)
          << " margins 0.10,0.975,0.165,0.91 spacing 0.10,0.075\n";
   return script.str();
 }
 
-std::string Verbatim(const std::string& text) {
-  std::string escaped = "'";
-  for (const char c : text) {
-    if (c == '\n' || c == '\r') continue;
-    escaped += c == '\'' ? std::string("''") : std::string(1, c);
-  }
-  return escaped + "'";
-}
-
 std::string Curve(const std::string& column, const std::string& style, const std::string& title) {
-  return "'" + std::string(kThinnedFile) + "' using 'time_s':" + Verbatim(column) + " with lines " +
-         style + (title.empty() ? " notitle" : " title " + Verbatim(title));
+  return "'" + std::string(kThinnedFile) + "' using 'time_s':" + GnuplotText(column) +
+         " with lines " + style + (title.empty() ? " notitle" : " title " + GnuplotText(title));
 }
 
 std::string LineStyle(const std::string& color, const std::string& more) {

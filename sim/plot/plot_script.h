@@ -39,10 +39,6 @@ std::string Preamble(const std::string& name);
 /// Starts a page of rows x columns panels over the run's time, with pushes shaded.
 std::string StartPanels(const PlotData& data, const std::string& title, int rows, int columns);
 
-/// `text` as a single-quoted gnuplot string, in which nothing is special; in double quotes a
-/// backtick would run a command.
-std::string Verbatim(const std::string& text);
-
 /// One line of a thinned column over time: `'' using "time_s":"column" with lines ...`.
 std::string Curve(const std::string& column, const std::string& style, const std::string& title);
 

@@ -60,6 +60,18 @@ int WaitFor(pid_t pid) {
 
 }  // namespace
 
+bool SendAll(int socket, const void* data, std::size_t size) {
+  const char* next = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t sent = send(socket, next, size, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    next += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
 Process::Process(const std::vector<std::string>& argv, const std::filesystem::path& working_dir) {
   SIDESTEP_REQUIRE(!argv.empty(), argv.size());
   program_ = argv.front();
@@ -102,17 +114,7 @@ Process::~Process() {
   }
 }
 
-bool Process::Write(const void* data, std::size_t size) {
-  const char* next = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t sent = send(input_, next, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    next += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
+bool Process::Write(const void* data, std::size_t size) { return SendAll(input_, data, size); }
 
 ProcessResult Process::Finish() {
   SIDESTEP_REQUIRE(pid_ > 0, pid_);

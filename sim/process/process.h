@@ -15,6 +15,9 @@
 
 namespace sidestep {
 
+/// Writes all of `size` bytes to a socket; false if its other end is gone. Never raises SIGPIPE.
+bool SendAll(int socket, const void* data, std::size_t size);
+
 /// How a program ended.
 struct ProcessResult {
   int exit_code{0};  ///< Its exit status; 128 + signal number if a signal ended it.

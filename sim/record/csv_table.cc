@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <string>
 
 #include "models/support/config_error.h"
+#include "models/support/parse_number.h"
 #include "models/support/require.h"
 #include "sim/record/run_reader.h"
 
 namespace sidestep {
-namespace {
-
-double ParseNumber(std::string_view cell) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool is_number = error == std::errc() && end == cell.data() + cell.size();
-  return is_number ? value : std::numeric_limits<double>::quiet_NaN();
-}
-
-}  // namespace
-
 CsvTable CsvTable::Read(const std::filesystem::path& file) {
   CsvTable table;
   table.file_ = file;
@@ -88,7 +77,8 @@ std::vector<double> CsvTable::Numbers(std::string_view column) const {
   std::vector<double> values(num_rows_);
   for (std::size_t row = 0; row < num_rows_; ++row) {
     const std::size_t cell = row * header_.size() + index;
-    values[row] = ParseNumber(std::string_view(text_).substr(starts_[cell], lengths_[cell]));
+    values[row] = ParseAs<double>(std::string_view(text_).substr(starts_[cell], lengths_[cell]))
+                      .value_or(std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,11 @@ struct EnumNames<PushProfile> {
       {{PushProfile::kConstant, "constant"}, {PushProfile::kHalfSine, "half_sine"}}};
 };
 
+/// Mean force of a push over its largest: its impulse is that times |force_N| duration_s.
+constexpr double MeanShare(PushProfile profile) {
+  return profile == PushProfile::kConstant ? 1.0 : 2.0 / std::numbers::pi;
+}
+
 enum class PushFrame {
   kWorld,    ///< Axes of W.
   kHeading,  ///< W turned about z by the base's yaw when the push starts.
@@ -35,8 +41,8 @@ struct EnumNames<PushFrame> {
 };
 
 /// A scripted force at a point of a body.
-/// Its impulse is |force_N| duration_s of a constant one, 2/pi of that of a half sine. start_s and
-/// duration_s are rounded to ticks where the force acts. Two pushes at once add up.
+/// Its impulse is MeanShare(profile) |force_N| duration_s. start_s and duration_s are rounded to
+/// ticks where the force acts. Two pushes at once add up.
 struct Push {
   std::string body;                                  ///< A body or a frame (site) of the robot.
   Eigen::Vector3d force_N{Eigen::Vector3d::Zero()};  ///< In axes of `frame`.

@@ -11,7 +11,6 @@
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
-#include "models/support/plain_word.h"
 #include "sim/scenario/apply_override.h"
 #include "sim/scenario/check_scenario.h"
 #include "sim/scenario/read_fields.h"
@@ -28,12 +27,6 @@ void ReadVersion(ConfigMap& map) {
   if (version.Integer(0, std::numeric_limits<std::int32_t>::max()) != kFormatVersion) {
     version.Fail("= " + version.Text() + " is a format that this program can't read; it reads 1");
   }
-}
-
-/// The name becomes a folder's, so it is a plain word.
-void CheckName(const ConfigNode& node) {
-  const std::string name = node.Text();
-  if (!IsPlainWord(name)) node.Fail("= '" + name + "' must be " + std::string(kPlainWordRule));
 }
 
 // Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's, and
@@ -73,7 +66,7 @@ void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
 
 void ReadBasics(ConfigMap& map, Scenario* scenario) {
   ScenarioBasics::VisitFields(*scenario, FieldReader(&map));
-  CheckName(map.Required("name"));
+  map.Required("name").Word();  // it becomes a folder's
 }
 
 /// Reads the sections: structs as they are, and what files spell in a form of its own.

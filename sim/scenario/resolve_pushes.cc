@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <string>
 
@@ -31,8 +30,7 @@ double Magnitude_N(const PushEntry& entry, const Scenario& scenario) {
   if (entry.magnitude_N) return *entry.magnitude_N;
   const double mass_kg = PlantMass_kg(scenario);
   if (entry.magnitude_mg) return *entry.magnitude_mg * mass_kg * kGravity_mps2;
-  const bool is_constant = entry.push.profile == PushProfile::kConstant;
-  const double mean_share = is_constant ? 1.0 : 2.0 / std::numbers::pi;
+  const double mean_share = MeanShare(entry.push.profile);
   return *entry.impulse_Nspkg * mass_kg / (entry.push.duration_s * mean_share);
 }
 

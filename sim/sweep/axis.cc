@@ -2,7 +2,6 @@
 #include "sim/sweep/axis.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
+#include "models/support/parse_number.h"
 #include "sim/scenario/key_table.h"
 #include "sim/scenario/yaml_writer.h"
 
@@ -23,12 +23,9 @@ constexpr int kMostValues = 1'000'000;  // of one axis; catches a slip of the pe
 constexpr std::uint64_t kLatinStream = 0x9E3779B97F4A7C15U;  // apart from the random axes
 
 std::optional<double> PlainNumber(std::string_view text) {
-  double value = 0.0;
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const std::optional<double> value = ParseAs<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::vector<std::string> SplitAtColons(const std::string& text) {
@@ -48,19 +45,18 @@ std::vector<std::string> SplitAtColons(const std::string& text) {
 }
 
 int Count(const Axis& axis, const std::string& text, int least, const ConfigPlace& place) {
-  int count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || end != text.data() + text.size()) {
+  const std::optional<int> count = ParseAs<int>(text);
+  if (!count) {
     Fail(axis.key, place,
          "= " + axis.text + ": '" + text + "' must be a count, a whole number; " +
              "for steps write a:b:step=s");
   }
-  if (count < least || count > kMostValues) {
+  if (*count < least || *count > kMostValues) {
     Fail(axis.key, place,
          "= " + axis.text + ": a count must be from " + std::to_string(least) + " to " +
              std::to_string(kMostValues));
   }
-  return count;
+  return *count;
 }
 
 // The shortest decimal that differs from `value` by no more than sums of decimals round: 0.6, not

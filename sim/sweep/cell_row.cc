@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <type_traits>
 
 #include "models/support/config_error.h"
+#include "models/support/parse_number.h"
 #include "sim/record/output_file.h"
 #include "sim/sweep/csv_line.h"
 #include "sim/verdict/metrics.h"
@@ -38,22 +38,6 @@ std::string HostName() {
   char name[256] = "";
   if (gethostname(name, sizeof name - 1) != 0) return "";
   return name;
-}
-
-template <typename T>
-std::optional<T> Number(const std::string& text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-template <typename Enum>
-std::optional<Enum> Named(const std::string& text) {
-  for (const auto& [value, name] : EnumNames<Enum>::kNames) {
-    if (name == text) return value;
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -105,11 +89,11 @@ CellRow ReadRow(const SweepSpec& spec, const std::string& line, const std::strin
     throw ConfigError(place + ": error: is no row of this sweep: it has " +
                       std::to_string(cells.size()) + " columns, not " + std::to_string(columns));
   }
-  const auto ray = Number<std::size_t>(cells[0]);
-  const auto stage = Named<SearchStage>(cells[after + kStage]);
-  const auto outcome = Named<CellOutcome>(cells[after + kOutcome]);
-  const auto impulse_Nspkg = Number<double>(cells[after + kImpulse]);
-  const auto cpu_s = Number<double>(cells[columns - kOfMachine]);
+  const auto ray = ParseAs<std::size_t>(cells[0]);
+  const auto stage = EnumOfName<SearchStage>(cells[after + kStage]);
+  const auto outcome = EnumOfName<CellOutcome>(cells[after + kOutcome]);
+  const auto impulse_Nspkg = ParseAs<double>(cells[after + kImpulse]);
+  const auto cpu_s = ParseAs<double>(cells[columns - kOfMachine]);
   if (!ray || !stage || !outcome || !impulse_Nspkg || !cpu_s) {
     throw ConfigError(place +
                       ": error: is no row of this sweep: a column is not what it should be");

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <utility>
 
 #include "sim/episode/interrupt.h"
@@ -40,9 +39,7 @@ Scenario WithoutWords(Scenario scenario) {
 double ImpulsePerMass_Nspkg(const Scenario& scenario, double mass_kg) {
   double impulse_Ns = 0.0;
   for (const Push& push : scenario.pushes) {
-    const bool is_constant = push.profile == PushProfile::kConstant;
-    const double mean_share = is_constant ? 1.0 : 2.0 / std::numbers::pi;
-    impulse_Ns += mean_share * push.duration_s * push.force_N.norm();
+    impulse_Ns += MeanShare(push.profile) * push.duration_s * push.force_N.norm();
   }
   return impulse_Ns / mass_kg;
 }

@@ -10,6 +10,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
+#include "models/support/plain_word.h"
 #include "sim/scenario/find_scenario.h"
 
 namespace sidestep {
@@ -25,19 +26,6 @@ ConfigPlace OptionPlace(const std::string& option) {
 
 ConfigTree ParseOption(const std::string& option, const std::string& value) {
   return ParseConfig(value, ConfigSource{option + " " + value, false});
-}
-
-void CheckWord(const std::string& word, const ConfigPlace& place) {
-  const auto is_good = [](unsigned char letter) {
-    return std::isalnum(letter) != 0 || letter == '_' || letter == '-' || letter == '.';
-  };
-  constexpr std::size_t kMaxLength = 100;
-  const bool is_word = !word.empty() && word.size() <= kMaxLength && word[0] != '.' &&
-                       word[0] != '-' && std::all_of(word.begin(), word.end(), is_good);
-  if (!is_word) {
-    FailAt(place, "name '" + word + "' must be letters, digits, '_', '-' or '.', and begin with " +
-                      "neither '-' nor '.'");
-  }
 }
 
 // A map of dotted keys as assignments.
@@ -59,7 +47,9 @@ std::vector<ControllerSpec> ReadControllers(const ConfigTree& map) {
   std::vector<ControllerSpec> controllers;
   for (std::size_t i = 0; i < map.keys.size(); ++i) {
     const std::string& name = map.keys[i].text;
-    CheckWord(name, map.keys[i].place);
+    if (!IsPlainWord(name)) {
+      FailAt(map.keys[i].place, "name '" + name + "' must be " + std::string(kPlainWordRule));
+    }
     controllers.push_back({name, ReadAssignments(map.children[i], "controllers." + name)});
   }
   return controllers;
@@ -160,9 +150,7 @@ void ReadVersion(ConfigMap* map) {
 }
 
 void ReadNames(const std::filesystem::path& file, ConfigMap* map, SweepSpec* spec) {
-  const ConfigNode name = map->Required("name");
-  spec->name = name.Text();
-  CheckWord(spec->name, name.tree().place);
+  spec->name = map->Required("name").Word();
   const ConfigNode scenario = map->Required("scenario");
   try {
     spec->scenario = AbsoluteScenario(scenario.Text(), file.parent_path());

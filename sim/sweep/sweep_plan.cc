@@ -2,7 +2,6 @@
 #include "sim/sweep/sweep_plan.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
+#include "models/support/parse_number.h"
 #include "sim/record/output_file.h"
 #include "sim/scenario/read_scenario.h"
 #include "sim/scenario/write_scenario.h"
@@ -185,8 +185,9 @@ SweepPlan ReadPlan(const std::filesystem::path& folder) {
     planned.ray = std::move(rays[plan.rays.size() - 1]);
     planned.id = cells[1];
     planned.prefix = cells[2];
-    std::from_chars(cells[3].data(), cells[3].data() + cells[3].size(), planned.start_tick);
-    is_whole = cells[0] == std::to_string(planned.ray.index);
+    const auto start_tick = ParseAs<Tick>(cells[3]);
+    is_whole = start_tick && cells[0] == std::to_string(planned.ray.index);
+    planned.start_tick = start_tick.value_or(0);
   }
   if (!is_whole || plan.rays.size() != rays.size()) {
     FailAtFile(file,

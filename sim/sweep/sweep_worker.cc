@@ -16,22 +16,15 @@
 #include "models/support/config_error.h"
 #include "models/support/require.h"
 #include "sim/episode/interrupt.h"
+#include "sim/process/process.h"
 #include "sim/sweep/cell_runner.h"
 
 namespace sidestep {
 namespace {
 
-// Without SIGPIPE; false if the other end is gone.
 bool SendLine(int socket, const std::string& line) {
   const std::string text = line + "\n";
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t sent = send(socket, text.data() + done, text.size() - done, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    done += static_cast<std::size_t>(sent);
-  }
-  return true;
+  return SendAll(socket, text.data(), text.size());
 }
 
 // The child's side.

@@ -17,6 +17,7 @@
 
 #include "sim/process/process.h"
 #include "tests/support/run_files.h"
+#include "tests/support/sidestep_program.h"
 #include "tests/unit/check/check_test_support.h"
 
 namespace sidestep {
@@ -41,11 +42,6 @@ pushes:
   - {body: trunk, force_N: [0, 5, 0], start_s: 0.1, duration_s: 0.2}
 expect: {fall: false}
 )";
-
-ProcessResult Sidestep(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SIDESTEP_BINARY);
-  return RunProcess(arguments);
-}
 
 // As `run` of `file` into `out`, without pictures.
 ProcessResult RunOf(const fs::path& file, const fs::path& out,

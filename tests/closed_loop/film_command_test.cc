@@ -11,6 +11,7 @@
 
 #include "sim/process/process.h"
 #include "tests/support/run_files.h"
+#include "tests/support/sidestep_program.h"
 #include "tests/support/temp_folder.h"
 
 namespace sidestep::film_command_test {
@@ -20,11 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStanding =
     "sidestep: 1\nname: standing\nrobot: hopper\nduration_s: 0.3\nexpect: {fall: false}\n";
-
-ProcessResult Sidestep(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SIDESTEP_BINARY);
-  return RunProcess(arguments);
-}
 
 void ExpectOneLine(const std::string& err) {
   EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;

@@ -10,14 +10,15 @@
 
 #include "sim/process/process.h"
 #include "tests/support/run_files.h"
+#include "tests/support/sidestep_program.h"
 #include "tests/unit/check/check_test_support.h"
 
 namespace sidestep::limit_command_test {
 namespace {
 
 ProcessResult Limit(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {SIDESTEP_BINARY, "limit"});
-  return RunProcess(arguments);
+  arguments.insert(arguments.begin(), "limit");
+  return Sidestep(arguments);
 }
 
 TEST(LimitCommandTest, TellsOfARobotOfAScenarioAndOfARobotsFile) {

@@ -8,14 +8,10 @@
 #include <vector>
 
 #include "sim/process/process.h"
+#include "tests/support/sidestep_program.h"
 
 namespace sidestep::listing_commands_test {
 namespace {
-
-ProcessResult Sidestep(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SIDESTEP_BINARY);
-  return RunProcess(arguments);
-}
 
 TEST(KeysTest, KeysAreListedWholeOrBelowAPrefixAndAMistypedOneIsTold) {
   const ProcessResult all = Sidestep({"keys"});

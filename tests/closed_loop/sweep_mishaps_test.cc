@@ -11,6 +11,7 @@
 
 #include "sim/process/process.h"
 #include "tests/support/run_files.h"
+#include "tests/support/sidestep_program.h"
 #include "tests/support/temp_folder.h"
 
 namespace sidestep {
@@ -30,11 +31,6 @@ sensors: {gyro_noise_radps: 0.005}
 
 class SweepMishapsTest : public testing::Test {
  protected:
-  ProcessResult Sidestep(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), SIDESTEP_BINARY);
-    return RunProcess(arguments);
-  }
-
   // Of a shell in which $sidestep, $hop and $map are what they say.
   ProcessResult Shell(const std::string& command) const {
     return RunProcess({"env", "sidestep=" SIDESTEP_BINARY, "hop=" + hop_.string(),

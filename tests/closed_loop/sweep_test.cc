@@ -19,6 +19,7 @@
 #include "sim/sweep/cell_runner.h"
 #include "sim/sweep/csv_line.h"
 #include "tests/support/run_files.h"
+#include "tests/support/sidestep_program.h"
 #include "tests/support/temp_folder.h"
 
 namespace sidestep {
@@ -50,11 +51,6 @@ controllers:
   ours: {}
   fixed: {control.mpc.box_lower_m: [0, 0, 0], control.mpc.box_upper_m: [0, 0, 0]}
 )";
-
-ProcessResult Sidestep(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SIDESTEP_BINARY);
-  return RunProcess(arguments);
-}
 
 class SweepTest : public testing::Test {
  protected:

@@ -113,8 +113,8 @@ void AddOptions(CLI::App& command, const std::shared_ptr<LimitArguments>& argume
       .add_option_function<std::string>(
           "--steps",
           [arguments](const std::string& name) {
-            for (const auto& [freedom, text] : EnumNames<limit::StepFreedom>::kNames) {
-              if (text == name) arguments->freedom = freedom;
+            if (const auto freedom = EnumOfName<limit::StepFreedom>(name)) {
+              arguments->freedom = *freedom;
             }
           },
           "What may change of them: none, their places, or times too (free)")

@@ -26,9 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Keep KeepOf(const std::string& name) {
-  for (const auto& [keep, known] : EnumNames<Keep>::kNames) {
-    if (known == name) return keep;
-  }
+  if (const auto keep = EnumOfName<Keep>(name)) return *keep;
   throw ConfigError("--keep " + name + ": error: is none of none, failures, summary, all");
 }
 

@@ -183,18 +183,6 @@ TEST(PlotRunTest, AFootsNameRunsNoCommand) {
   EXPECT_TRUE(Has(TextOf(dir / "plots" / "contact_forces.svg"), "touch PWNED")) << "as a word";
 }
 
-TEST(PlotRunTest, AUsersOwnGnuplotSettingsChangeNothing) {
-  const auto home = FreshTestDir("home");
-  std::ofstream(home / ".gnuplot") << "system('touch SETTINGS_READ')\n";
-  const auto dir = FreshTestDir("own_settings");
-  WriteSyntheticRun(dir);
-  const std::string before = std::getenv("HOME");
-  setenv("HOME", home.c_str(), 1);
-  PlotRun(dir);
-  setenv("HOME", before.c_str(), 1);
-  EXPECT_FALSE(std::filesystem::exists(dir / "plots" / "SETTINGS_READ"));
-}
-
 TEST(PlotRunTest, WithoutGnuplotTheErrorSaysSo) {
   const auto dir = FreshTestDir("plots_no_gnuplot");
   WriteSyntheticRun(dir);
@@ -203,10 +191,6 @@ TEST(PlotRunTest, WithoutGnuplotTheErrorSaysSo) {
   const std::string error = ErrorOf([&] { PlotRun(dir); });
   setenv("PATH", path.c_str(), 1);
   EXPECT_TRUE(Has(error, "can't start gnuplot")) << error;
-}
-
-TEST(PlotScriptTest, ANameCannotEndItsQuotes) {
-  EXPECT_EQ(plot::Verbatim("it's `rm` \"x\"\n"), "'it''s `rm` \"x\"'");
 }
 
 }  // namespace
