@@ -21,7 +21,7 @@
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
-#include "sim/episode/interrupt.h"
+#include "sim/process/interrupt.h"
 
 namespace sidestep {
 namespace {
@@ -120,6 +120,9 @@ int main(int argc, char** argv) {
   } catch (const ConfigError& error) {
     PrintError("", error.what());
     return kExitBadInput;
+  } catch (const Interrupted& end) {
+    PrintError("sidestep: ", end.what());
+    return kExitInvalid;
   } catch (const std::filesystem::filesystem_error& error) {
     PrintError("sidestep: error: ", error.what());  // a path the user gave and we may not touch
     return kExitBadInput;

@@ -98,8 +98,10 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
   try {
     ReadInto(ReadSummary(run_dir), &outcome);
     if (ExitCodeOf(outcome.verdict) != process.exit_code) {
-      problem = Ending(process.exit_code) + " but its summary says " +
-                std::string(EnumName(outcome.verdict));
+      problem = Ending(process.exit_code);
+      if (outcome.verdict != VerdictClass::kInvalid) {
+        problem += " but its summary says " + std::string(EnumName(outcome.verdict));
+      }
     }
   } catch (const std::exception& error) {
     // The summary of a run that died is no evidence; what the process said is.

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "sim/episode/interrupt.h"
+#include "sim/process/interrupt.h"
 
 namespace sidestep {
 namespace {

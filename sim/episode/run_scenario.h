@@ -24,9 +24,13 @@ struct RunOptions {
 struct RunResult {
   Verdict verdict;
   std::filesystem::path out_dir;
+  double simulated_s{0.0};
+  double wall_s{0.0};
 };
 
 /// Runs and judges. Throws ConfigError if a file can't be written or the robot does not compile.
+/// However a run ends, its folder is whole: until it is judged, and if an error ends it, its
+/// summary says INVALID.
 /// @param make_controller  Who controls the robot; by default whom the scenario asks for.
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options,
                       const ControllerFactory& make_controller = MakeController);

@@ -18,7 +18,7 @@ std::string RunGnuplot(const std::vector<std::string>& arguments, std::string_vi
                        const std::filesystem::path& working_dir) {
   std::vector<std::string> words{"gnuplot", "-d"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return RunOrThrow(words, input, working_dir).out;
+  return RunTool(words, input, working_dir).out;
 }
 
 }  // namespace sidestep

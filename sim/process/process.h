@@ -3,7 +3,8 @@
 // process: starts a program (ffmpeg, gnuplot) with an argument vector, feeds it and waits for it.
 //
 // Never through a shell, so no quoting and no injection by a folder's name. What the program
-// prints goes to memory files, not pipes: it can never block on us while we block on it.
+// prints goes to memory files, not pipes: it can never block on us while we block on it. However we
+// end, even by SIGKILL, it ends with us.
 
 #include <sys/types.h>
 
@@ -25,13 +26,32 @@ struct ProcessResult {
   std::string err;   ///< What it wrote to standard error.
 };
 
-/// A running program. Its standard input is ours to write; it inherits no other descriptor.
+/// How a program is run.
+struct ProcessOptions {
+  std::filesystem::path working_dir{};  ///< Ours if empty.
+
+  /// It draws for us (gnuplot, ffmpeg): a user's settings don't change what it does, as of the
+  /// environment it sees only where programs, libraries, fonts and scratch files are; an interrupt
+  /// kills it, and so does `patience_s`.
+  bool is_tool{false};
+  double patience_s{120.0};  ///< Of a tool: the longest that it may take no input, or not end.
+};
+
+/// A tool's.
+inline ProcessOptions ToolOptions(const std::filesystem::path& working_dir = {}) {
+  ProcessOptions options;
+  options.working_dir = working_dir;
+  options.is_tool = true;
+  return options;
+}
+
+/// A running program. Its standard input is ours to write; it inherits no other descriptor. It dies
+/// with the thread that started it.
 class Process {
  public:
-  /// Starts argv[0], looked up in PATH, in `working_dir` (ours if empty).
+  /// Starts argv[0], looked up in PATH.
   /// @throws ConfigError if the program can't be found or started.
-  explicit Process(const std::vector<std::string>& argv,
-                   const std::filesystem::path& working_dir = {});
+  explicit Process(const std::vector<std::string>& argv, ProcessOptions options = {});
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
@@ -39,17 +59,22 @@ class Process {
   ~Process();
 
   /// Writes all of `size` bytes to the program's input. Returns false if the program has closed
-  /// it (it failed: Finish() tells why). Never raises SIGPIPE.
+  /// it (it failed: Finish() tells why). Never raises SIGPIPE. Of a tool it throws as Finish().
   bool Write(const void* data, std::size_t size);
 
   /// Its process id, for kill(); -1 after Finish().
   pid_t pid() const { return pid_; }
 
   /// Closes the program's input and waits for its end. Call once.
+  /// @throws Interrupted or ConfigError, of a tool that an interrupt or our patience has ended.
   ProcessResult Finish();
 
  private:
+  class Patience;
+  void Kill();
+
   std::string program_;
+  ProcessOptions options_;
   pid_t pid_{-1};
   int input_{-1};
   int output_{-1};
@@ -59,11 +84,15 @@ class Process {
 /// Runs a program to its end with `input` on its standard input.
 /// @throws ConfigError if it can't be started. A failing program is no exception: see exit_code.
 ProcessResult RunProcess(const std::vector<std::string>& argv, std::string_view input = {},
-                         const std::filesystem::path& working_dir = {});
+                         const ProcessOptions& options = {});
 
 /// As RunProcess, but a non-zero exit is a ConfigError that quotes the program's last words.
 ProcessResult RunOrThrow(const std::vector<std::string>& argv, std::string_view input = {},
-                         const std::filesystem::path& working_dir = {});
+                         const ProcessOptions& options = {});
+
+/// RunOrThrow of a tool.
+ProcessResult RunTool(const std::vector<std::string>& argv, std::string_view input = {},
+                      const std::filesystem::path& working_dir = {});
 
 /// The text of a failure, for error messages: program, exit code and the end of its stderr.
 std::string DescribeFailure(const std::string& program, const ProcessResult& result);

@@ -2,7 +2,9 @@
 #include "sim/record/output_file.h"
 
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <system_error>
 
 #include "models/support/config_error.h"
@@ -14,7 +16,8 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
 [[noreturn]] void Fail(const std::filesystem::path& file) {
-  throw ConfigError(file.string() + ": error: can't be written");
+  const std::string why = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+  throw ConfigError(file.string() + ": error: can't be written" + why);
 }
 
 }  // namespace
@@ -25,8 +28,9 @@ void AppendNumber(std::string& text, double value) {
   text.append(digits.data(), result.ptr);
 }
 
-OutputFile::OutputFile(const std::filesystem::path& file)
-    : file_(file), out_(file, std::ios::binary | std::ios::trunc) {
+OutputFile::OutputFile(const std::filesystem::path& file) : file_(file) {
+  errno = 0;
+  out_.open(file_, std::ios::binary | std::ios::trunc);
   if (!out_) Fail(file_);
 }
 
@@ -53,6 +57,7 @@ void OutputFile::Append(std::string_view row) {
 }
 
 void OutputFile::Flush() {
+  errno = 0;
   out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   out_.flush();
   if (!out_) Fail(file_);
@@ -74,7 +79,7 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view text) {
   out.Close();
   std::error_code error;
   std::filesystem::rename(part, file, error);
-  if (error) Fail(file);
+  if (error) throw ConfigError(file.string() + ": error: can't be written: " + error.message());
 }
 
 void CopyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -13,8 +13,9 @@ namespace sidestep {
 /// Appends the shortest decimal that reads back as the same double ("nan", "inf" as such).
 void AppendNumber(std::string& text, double value);
 
-/// A file that grows by whole rows: what is on disk ends with a complete one.
-/// Every member but the destructor throws ConfigError naming the file if it can't be written.
+/// A file that grows by whole rows: what is on disk ends with a complete one, unless the disk is
+/// full. Every member but the destructor throws ConfigError naming file and reason if it can't be
+/// written.
 class OutputFile {
  public:
   /// Creates or empties the file.
@@ -31,12 +32,13 @@ class OutputFile {
   /// Adds one row as it is, line end included; it may stay in memory for a while.
   void Append(std::string_view row);
 
-  /// Puts everything on disk. Nothing may be appended afterwards.
+  /// Puts all rows so far on disk.
+  void Flush();
+
+  /// As Flush; nothing may be appended afterwards.
   void Close();
 
  private:
-  void Flush();
-
   std::filesystem::path file_;
   std::ofstream out_;
   std::string buffer_;

@@ -15,6 +15,8 @@
 namespace sidestep {
 namespace {
 
+constexpr double kFlushPeriod_s = 0.1;  // simulated: what a run that is killed may lose
+
 constexpr char kMpcHeader[] =
     "time_s,status,iterations,cost,constraint_violation,kkt_error,wall_ms\n";
 
@@ -26,15 +28,20 @@ std::vector<std::string> FootNames(const Scenario& scenario) {
   return names;
 }
 
-// Makes the folder and clears what would belie a run that ends early.
-std::filesystem::path PrepareFolder(const std::filesystem::path& run_dir) {
+std::filesystem::path MakeFolder(const std::filesystem::path& run_dir) {
   std::error_code error;
   std::filesystem::create_directories(run_dir, error);
   if (error) throw ConfigError(run_dir.string() + ": error: can't be created");
-  for (const char* stale : {"summary.json", "footsteps.csv"}) {
-    std::filesystem::remove(run_dir / stale, error);
-  }
   return run_dir;
+}
+
+// What the folder says for as long as the run has not ended, and if it never does.
+RunOutcome NotEnded() {
+  RunOutcome outcome;
+  outcome.verdict.verdict_class = VerdictClass::kInvalid;
+  outcome.verdict.reasons = {
+      {reason::kInterrupted, "the run was ended before it could be judged", {}}};
+  return outcome;
 }
 
 void AppendMpcRow(double time_s, const MpcReport& mpc, double wall_ms, std::string& text) {
@@ -53,14 +60,14 @@ struct Recorder::State {
   State(const Scenario& scenario_of_run, const World& world, const std::filesystem::path& folder,
         std::vector<std::string> command)
       : scenario(scenario_of_run),
-        run_dir(PrepareFolder(folder)),
+        run_dir(MakeFolder(folder)),
         feet(FootNames(scenario)),
         table(scenario.robot, scenario.plant, scenario.control.mode, world.joints()),
         trajectory(run_dir / "trajectory.csv"),
         states(run_dir / "states.bin"),
         mpc(run_dir / "mpc.csv") {
     facts.command = std::move(command);
-    WriteWholeFile(run_dir / "scenario.yaml", ResolvedYaml(scenario));
+    WriteWholeAtStart();
     const double tick_s = scenario.world.step_s;
     const double dt_s = SecondsAt(TickAt(1.0 / scenario.control.rate_hz, tick_s), tick_s);
     trajectory.Append(table.Header());
@@ -71,14 +78,32 @@ struct Recorder::State {
   // Begins in another folder with all that `start` holds.
   State(const State& start, const std::filesystem::path& folder)
       : scenario(start.scenario),
-        run_dir(PrepareFolder(folder)),
+        run_dir(MakeFolder(folder)),
         feet(start.feet),
         table(start.table),
         trajectory(run_dir / "trajectory.csv", start.trajectory),
         states(run_dir / "states.bin", start.states),
         mpc(run_dir / "mpc.csv", start.mpc),
         facts(start.facts) {
+    WriteWholeAtStart();
+  }
+
+  // The files that are written in one go, so that the folder can be read whenever the run ends.
+  void WriteWholeAtStart() const {
     WriteWholeFile(run_dir / "scenario.yaml", ResolvedYaml(scenario));
+    WriteWholeAtEnd(NotEnded());
+  }
+
+  void WriteWholeAtEnd(const RunOutcome& outcome) const {
+    WriteWholeFile(run_dir / "footsteps.csv",
+                   FootstepsCsv(outcome.footsteps, feet, scenario.world.step_s));
+    WriteWholeFile(run_dir / "summary.json", SummaryJson(MakeSummary(scenario, outcome, facts)));
+  }
+
+  void FlushOnceDue(double time_s) {
+    if (time_s < flush_due_s) return;
+    flush_due_s = time_s + kFlushPeriod_s;
+    for (OutputFile* file : {&trajectory, &states, &mpc}) file->Flush();
   }
 
   Scenario scenario;
@@ -90,6 +115,7 @@ struct Recorder::State {
   OutputFile mpc;
   RunFacts facts;
   std::string row;  // kept for its memory
+  double flush_due_s{0.0};
 };
 
 Recorder::Recorder(const Scenario& scenario, const World& world,
@@ -118,11 +144,13 @@ void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& contro
   state.states.Append(state.row);
 
   if (wall.whole_body_ms > 0.0) state.facts.whole_body_ms.push_back(wall.whole_body_ms);
-  if (!control.mpc.ran) return;
-  state.row.clear();
-  AppendMpcRow(time_s, control.mpc, wall.mpc_ms, state.row);
-  state.mpc.Append(state.row);
-  state.facts.solve_ms.push_back(wall.mpc_ms);
+  if (control.mpc.ran) {
+    state.row.clear();
+    AppendMpcRow(time_s, control.mpc, wall.mpc_ms, state.row);
+    state.mpc.Append(state.row);
+    state.facts.solve_ms.push_back(wall.mpc_ms);
+  }
+  state.FlushOnceDue(time_s);
 }
 
 void Recorder::Finish(const RunOutcome& outcome, double simulated_s, double wall_s) {
@@ -130,12 +158,9 @@ void Recorder::Finish(const RunOutcome& outcome, double simulated_s, double wall
   state.trajectory.Close();
   state.states.Close();
   state.mpc.Close();
-  WriteWholeFile(state.run_dir / "footsteps.csv",
-                 FootstepsCsv(outcome.footsteps, state.feet, state.scenario.world.step_s));
   state.facts.simulated_s = simulated_s;
   state.facts.wall_s = wall_s;
-  WriteWholeFile(state.run_dir / "summary.json",
-                 SummaryJson(MakeSummary(state.scenario, outcome, state.facts)));
+  state.WriteWholeAtEnd(outcome);
 }
 
 }  // namespace sidestep

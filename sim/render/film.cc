@@ -50,7 +50,7 @@ void RunGraph(const std::vector<std::filesystem::path>& inputs, const FilterGrap
   }
   arguments.insert(arguments.end(), {"-filter_complex", graph.graph, "-map", "[out]"});
   arguments.insert(arguments.end(), output.begin(), output.end());
-  RunOrThrow(arguments, {}, scratch.path());
+  RunTool(arguments, {}, scratch.path());
 }
 
 // Draws a run's pictures into the scratch folder and returns their files.
@@ -78,7 +78,7 @@ std::vector<std::filesystem::path> DrawCells(const FilmedRun& run, const std::st
 void WriteFilm(const std::array<FilmedRun, 2>& runs, const std::filesystem::path& mp4) {
   const std::array<std::filesystem::path, 2> videos{VideoOf(runs[0]), VideoOf(runs[1])};
   const std::array<Heading, 2> headings = HeadingsOf(runs);
-  RunOrThrow({"ffmpeg", "-version"});  // name it, not its ffprobe, if it is not installed
+  RunTool({"ffmpeg", "-version"});  // name it, not its ffprobe, if it is not installed
   const render::FilmLayout layout =
       render::LayOutFilm({render::ProbeVideo(videos[0]), render::ProbeVideo(videos[1])});
   const ScratchDir scratch(mp4);

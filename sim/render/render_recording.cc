@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/support/config_error.h"
+#include "sim/process/interrupt.h"
 #include "sim/render/frame_source.h"
 #include "sim/render/frames.h"
 #include "sim/render/scene_renderer.h"
@@ -17,6 +18,8 @@
 
 namespace sidestep::render {
 namespace {
+
+constexpr int kPollPeriod_ms = 100;  // how late an interrupt may be seen
 
 void CheckOptions(const RenderOptions& options) {
   const bool is_even = options.width_px % 2 == 0 && options.height_px % 2 == 0;
@@ -40,7 +43,7 @@ void DrawSpan(const Recording& recording, mjModel* model, const RenderOptions& o
   video.Finish();
 }
 
-// Waits for all; throws the first error, which ends the others on the way out.
+// Waits for all; throws the first error, or Interrupted, which ends the others on the way out.
 void Await(const std::vector<std::unique_ptr<SegmentProcess>>& processes, int frames,
            const std::function<void(double)>& on_progress) {
   std::vector<pollfd> waiting;
@@ -48,7 +51,8 @@ void Await(const std::vector<std::unique_ptr<SegmentProcess>>& processes, int fr
     waiting.push_back({process->report_descriptor(), POLLIN, 0});
   }
   for (std::size_t running = processes.size(); running > 0;) {
-    poll(waiting.data(), waiting.size(), -1);
+    poll(waiting.data(), waiting.size(), kPollPeriod_ms);
+    if (InterruptRequested()) throw Interrupted();
     int done = 0;
     for (std::size_t i = 0; i < processes.size(); ++i) {
       if (waiting[i].fd >= 0 && waiting[i].revents != 0 && !processes[i]->ReadReports()) {

@@ -37,7 +37,8 @@ std::string FileOperand(const std::filesystem::path& file) {
 VideoWriter::VideoWriter(const std::filesystem::path& file, int width_px, int height_px, int fps)
     : ffmpeg_(With(RawInput(width_px, height_px, fps),
                    {"-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-bf", "0", "-pix_fmt",
-                    "yuv420p", "-threads", "1", "-f", "matroska", FileOperand(file)})) {}
+                    "yuv420p", "-threads", "1", "-f", "matroska", FileOperand(file)}),
+              ToolOptions()) {}
 
 void VideoWriter::Add(const std::vector<std::uint8_t>& pixels) {
   if (ffmpeg_.Write(pixels.data(), pixels.size())) return;
@@ -59,16 +60,17 @@ void JoinVideos(const std::vector<std::filesystem::path>& parts,
   }
   out.close();
   if (!out) throw ConfigError(list.string() + ": error: can't be written");
-  RunOrThrow({"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "concat",
-              "-safe", "0", "-i", FileOperand(list), "-c", "copy", "-movflags", "+faststart", "-f",
-              "mp4", FileOperand(mp4)});
+  RunTool({"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "concat",
+           "-safe", "0", "-i", FileOperand(list), "-c", "copy", "-movflags", "+faststart", "-f",
+           "mp4", FileOperand(mp4)});
 }
 
 void WritePng(const std::vector<std::uint8_t>& pixels, int width_px, int height_px,
               const std::filesystem::path& file) {
   Process ffmpeg(
       With(RawInput(width_px, height_px, 1),
-           {"-frames:v", "1", "-c:v", "png", "-f", "image2", "-update", "1", FileOperand(file)}));
+           {"-frames:v", "1", "-c:v", "png", "-f", "image2", "-update", "1", FileOperand(file)}),
+      ToolOptions());
   ffmpeg.Write(pixels.data(), pixels.size());
   const ProcessResult result = ffmpeg.Finish();
   if (result.exit_code != 0) throw ConfigError(DescribeFailure("ffmpeg", result));

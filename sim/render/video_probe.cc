@@ -23,9 +23,9 @@ double RateOf(const std::string& rate) {
 
 VideoInfo ProbeVideo(const std::filesystem::path& file) {
   const ProcessResult result =
-      RunOrThrow({"ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries",
-                  "stream=width,height,r_frame_rate,duration", "-of", "default=noprint_wrappers=1",
-                  "-i", FileOperand(file)});
+      RunTool({"ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries",
+               "stream=width,height,r_frame_rate,duration", "-of", "default=noprint_wrappers=1",
+               "-i", FileOperand(file)});
   VideoInfo info;
   std::istringstream lines(result.out);
   for (std::string line; std::getline(lines, line);) {

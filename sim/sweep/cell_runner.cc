@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "sim/episode/interrupt.h"
 #include "sim/episode/run_episode.h"
+#include "sim/process/interrupt.h"
 #include "sim/scenario/write_scenario.h"
 
 namespace sidestep {

@@ -15,7 +15,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/require.h"
-#include "sim/episode/interrupt.h"
+#include "sim/process/interrupt.h"
 #include "sim/process/process.h"
 #include "sim/sweep/cell_runner.h"
 

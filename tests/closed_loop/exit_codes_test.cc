@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -233,6 +234,63 @@ TEST(InterruptTest, AnInterruptedRunIsInvalidAndLeavesWholeFiles) {
       EXPECT_TRUE(fs::exists(out / name)) << name;
     }
   }
+}
+
+TEST(InterruptTest, WhatAKilledRunLeavesCanBeShown) {
+  const ScratchFolder folder;
+  const std::string out = folder.path() / "out";
+  const std::string long_one = "sidestep: 1\nname: standing\nrobot: icub3\nduration_s: 9000\n";
+  EXPECT_EQ(ExitCodeAfter(SIGKILL, folder.Write("s.yaml", long_one), out), 128 + SIGKILL);
+  EXPECT_EQ(SummaryOf(out)["verdict"], "INVALID");
+  EXPECT_EQ(SummaryOf(out)["reasons"][0]["class"], "INTERRUPTED");
+  for (const char* command : {"plot", "report"}) {
+    const ProcessResult shown = Sidestep({command, out});
+    EXPECT_EQ(shown.exit_code, 0) << command << ": " << shown.err;
+  }
+  EXPECT_EQ(Sidestep({"render", out, "--frame", out + "/f.png", "--time", "0"}).exit_code, 0);
+  const std::string page = TextOf(fs::path(out) / "report.html");
+  EXPECT_NE(page.find("INTERRUPTED"), std::string::npos);
+}
+
+// A folder with a program that stands before the real one in PATH.
+std::string PathWith(const ScratchFolder& folder, const std::string& name,
+                     const std::string& text) {
+  const fs::path program = folder.Write("bin/" + name, "#!/bin/sh\n" + text + "\n");
+  fs::permissions(program, fs::perms::owner_all);
+  return "PATH=" + program.parent_path().string() + ":" + std::getenv("PATH");
+}
+
+TEST(DrawingTest, AFaultOfDrawingWarnsAndTheVerdictStands) {
+  const ScratchFolder folder;
+  const std::string out = folder.path() / "out";
+  const ProcessResult run = RunProcess(
+      {"env", PathWith(folder, "gnuplot", "echo out of ink >&2; exit 3"), SIDESTEP_BINARY, "run",
+       folder.Write("s.yaml", kStanding), "-o", out, "-q", "--no-video"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("standing: PASS"), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find("no plots: gnuplot failed with exit code 3: out of ink"),
+            std::string::npos)
+      << run.err;
+  ExpectOneLine(run.err);
+  EXPECT_TRUE(fs::exists(fs::path(out) / "report.html")) << "with what there is";
+}
+
+TEST(DrawingTest, AnInterruptWhileDrawingKeepsTheVerdictAndLeavesNoProgram) {
+  const ScratchFolder folder;
+  const fs::path out = folder.path() / "out", pid = folder.path() / "pid";
+  const std::string hangs = "echo $$ > " + pid.string() + "; exec sleep 3600";
+  Process run({"env", PathWith(folder, "gnuplot", hangs), SIDESTEP_BINARY, "run",
+               folder.Write("s.yaml", kStanding), "-o", out, "-q", "--no-video"});
+  for (int i = 0; i < 600 && !fs::exists(pid); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  kill(run.pid(), SIGINT);
+  const ProcessResult result = run.Finish();
+  EXPECT_EQ(result.exit_code, 0) << "it passed: " << result.err;
+  EXPECT_NE(result.out.find("standing: PASS"), std::string::npos) << result.out;
+  EXPECT_EQ(kill(std::stoi(TextOf(pid)), 0), -1) << "gnuplot is still there";
+  EXPECT_EQ(SummaryOf(out)["verdict"], "PASS");
 }
 
 TEST(CheckTest, TheWorstVerdictDecidesAndJunitTellsEach) {

@@ -31,7 +31,7 @@ class InstalledProgramTest : public testing::Test {
 
   ProcessResult Run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), program_);
-    return RunProcess(arguments, "", prefix_.path());
+    return RunProcess(arguments, "", {prefix_.path()});
   }
 
   const ScratchFolder prefix_;

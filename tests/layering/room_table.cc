@@ -68,7 +68,9 @@ std::vector<Room> SimRooms() {
       {"sim/verdict", kWorld},
       {"sim/record", kWorld + Folders{"sim/verdict"}},
       // A controller is what stands behind its door: the loop knows none of its parts.
-      {"sim/episode", kWorld + kDoor + Folders{"sim/sensors", "sim/record", "sim/verdict"}},
+      {"sim/episode",
+       kWorld + kDoor +
+           Folders{"sim/sensors", "sim/record", "sim/verdict", "sim/process/interrupt.h"}},
       // Physics of a robot and its gait; of the controller only its settings and its robot's legs.
       {"sim/limit", kScenario + Folders{"controller/model"}},
       {"sim/process", kSupport},
@@ -85,7 +87,7 @@ std::vector<Room> SimRooms() {
                         "sim/plot", "sim/report", "sim/check", "sim/limit", "sim/sweep", "sim/map",
                         "sim/compare"},
        true},
-      {"sim/apps", kSupport + Folders{"sim/episode/interrupt.h", "sim/apps/commands"}, true},
+      {"sim/apps", kSupport + Folders{"sim/process/interrupt.h", "sim/apps/commands"}, true},
       // A program of a user's own, beside ours.
       {"controller/example", kScenario + kDoor + Folders{"sim/episode"}},
   };

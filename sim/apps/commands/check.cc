@@ -15,7 +15,7 @@
 #include "sim/check/junit.h"
 #include "sim/check/outcome.h"
 #include "sim/check/run_checks.h"
-#include "sim/episode/interrupt.h"
+#include "sim/process/interrupt.h"
 #include "sim/scenario/read_scenario.h"
 
 namespace sidestep {

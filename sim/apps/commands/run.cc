@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -8,9 +10,9 @@
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/out_folder.h"
 #include "sim/apps/commands/progress.h"
-#include "sim/episode/interrupt.h"
 #include "sim/episode/run_scenario.h"
 #include "sim/plot/plot_run.h"
+#include "sim/process/interrupt.h"
 #include "sim/render/render_run.h"
 #include "sim/report/write_report.h"
 #include "sim/scenario/find_scenario.h"
@@ -48,46 +50,64 @@ RunResult Simulate(const Scenario& scenario, const fs::path& out_dir,
   return RunScenario(scenario, options);
 }
 
-// Plots, video, report; each only reads what the run left.
-void Draw(const Scenario& scenario, const fs::path& run_dir, const RunArguments& arguments) {
-  if (!arguments.no_plots) PlotRun(run_dir);
-  if (!arguments.no_video && scenario.video.enabled) {
-    Progress progress("video", arguments.is_quiet);
-    RenderOptions options = RenderOptionsOf(run_dir);
-    options.jobs = arguments.jobs;
-    options.on_progress = [&](double share) { progress.Update(share, ""); };
-    RenderRun(run_dir, options);
-  }
-  WriteReport({run_dir}, run_dir / "report.html");
-}
-
 void PrintVerdict(const std::string& name, const RunResult& result) {
-  const std::string verdict(EnumName(result.verdict.verdict_class));
-  std::printf("%s: %s\n", name.c_str(), verdict.c_str());
+  std::printf("%s: %s (%.1f s, %.2gx real time)\n", name.c_str(),
+              std::string(EnumName(result.verdict.verdict_class)).c_str(), result.wall_s,
+              result.simulated_s / result.wall_s);
   for (const Reason& reason : result.verdict.reasons) {
     std::printf("  %s", reason.kind.c_str());
     if (reason.time_s) std::printf(" at %.3f s", *reason.time_s);
     std::printf(": %s\n", reason.text.c_str());
   }
-  for (const auto& [label, file] : {std::pair<const char*, const char*>{"video", "video.mp4"},
-                                    {"plots", "plots"},
-                                    {"report", "report.html"},
-                                    {"folder", "."}}) {
-    const fs::path path = (result.out_dir / file).lexically_normal();
-    if (fs::exists(path)) std::printf("  %-6s  %s\n", label, path.c_str());
-  }
   std::fflush(stdout);
+}
+
+// One step of drawing: what it made and how long it took. The verdict stands: what goes wrong is
+// told, and the steps after it go on with what there is.
+void DrawStep(const char* label, const fs::path& made, const std::function<void()>& draw) {
+  if (InterruptRequested()) return;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    draw();
+  } catch (const Interrupted&) {
+    PrintNote(std::string("sidestep: warning: interrupted, no ") + label);
+    return;
+  } catch (const std::exception& error) {
+    PrintNote(std::string("sidestep: warning: no ") + label + ": " + error.what());
+    return;
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  std::printf("  %-6s  %s (%.1f s)\n", label, made.c_str(), wall.count());
+  std::fflush(stdout);
+}
+
+// Plots, video, report; each only reads what the run left.
+void Draw(const Scenario& scenario, const fs::path& run_dir, const RunArguments& arguments) {
+  if (!arguments.no_plots) DrawStep("plots", run_dir / "plots", [&] { PlotRun(run_dir); });
+  if (!arguments.no_video && scenario.video.enabled) {
+    DrawStep("video", run_dir / "video.mp4", [&] {
+      Progress progress("video", arguments.is_quiet);
+      RenderOptions options = RenderOptionsOf(run_dir);
+      options.jobs = arguments.jobs;
+      options.on_progress = [&](double share) { progress.Update(share, ""); };
+      RenderRun(run_dir, options);
+    });
+  }
+  DrawStep("report", run_dir / "report.html",
+           [&] { WriteReport({run_dir}, run_dir / "report.html"); });
 }
 
 int Run(const RunArguments& arguments) {
   const Scenario scenario =
       ReadScenario(FindScenario(arguments.scenario), arguments.overrides, PrintNote);
   const fs::path out_dir =
-      arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir;
+      (arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir)
+          .lexically_normal();
   PrepareOutFolder(out_dir, arguments.is_forced);
   const RunResult result = Simulate(scenario, out_dir, arguments);
-  if (!InterruptRequested()) Draw(scenario, out_dir, arguments);
   PrintVerdict(scenario.name, result);
+  Draw(scenario, out_dir, arguments);
+  std::printf("  folder  %s\n", out_dir.c_str());
   return ExitCodeOf(result.verdict.verdict_class);
 }
 

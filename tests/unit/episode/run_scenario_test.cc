@@ -75,6 +75,38 @@ TEST(RunScenarioTest, ARunThatDivergedStillLeavesAllFiles) {
   for (const char* name : kFiles) EXPECT_NE(TextOf(folder.path() / name), "") << name;
 }
 
+TEST(RunScenarioTest, ARunThatAnErrorEndsSaysSo) {
+  const TempFolder folder;
+  const auto law = [](const SensorFrame& frame, int num_before) {
+    if (frame.tick >= 60) throw std::runtime_error("the gyro caught fire");
+    return NoTorque(frame, num_before);
+  };
+  EXPECT_THROW(RunScenario(ShortHop(0.2), Into(folder.path()), TorqueBy(law)), std::runtime_error);
+  const nlohmann::json summary = SummaryOf(folder.path());
+  EXPECT_EQ(summary["verdict"], "INVALID");
+  EXPECT_EQ(summary["reasons"][0]["class"], "ERROR");
+  EXPECT_EQ(summary["reasons"][0]["text"], "the gyro caught fire");
+  for (const char* name : kFiles) EXPECT_NE(TextOf(folder.path() / name), "") << name;
+}
+
+TEST(RunScenarioTest, UntilItIsJudgedTheFolderSaysInvalidAndHasWholeRows) {
+  const TempFolder folder;
+  nlohmann::json summary_before;
+  std::string rows_before;
+  const auto law = [&](const SensorFrame& frame, int num_before) {
+    if (frame.tick == 150) {  // as a reader would find it if the power failed here
+      summary_before = SummaryOf(folder.path());
+      rows_before = TextOf(folder.path() / "trajectory.csv");
+    }
+    return NoTorque(frame, num_before);
+  };
+  RunScenario(ShortHop(0.2), Into(folder.path()), TorqueBy(law));
+  EXPECT_EQ(summary_before["verdict"], "INVALID");
+  EXPECT_EQ(summary_before["reasons"][0]["class"], "INTERRUPTED");
+  EXPECT_GE(std::count(rows_before.begin(), rows_before.end(), '\n'), 50) << "a tenth of a second";
+  EXPECT_EQ(rows_before.back(), '\n');
+}
+
 TEST(RunScenarioTest, EveryProblemOfTheShippedControllerIsKeptOnRequest) {
   const TempFolder folder;
   RunOptions options = Into(folder.path());

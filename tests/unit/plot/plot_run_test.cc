@@ -114,7 +114,7 @@ TEST(PlotRunTest, BoxesOfTheTopViewAreTurnedByTheFootsYaw) {
   // gnuplot tables what it would draw; the last foothold is turned by 0.3 rad about (0.1, -0.08).
   const auto plots = PlottedRun() / "plots";
   const std::string script = TextOf(plots / "top_view.gp");
-  RunOrThrow({"gnuplot", "-e", "set table 'top_view.txt'", "top_view.gp"}, "", plots);
+  RunTool({"gnuplot", "-e", "set table 'top_view.txt'", "top_view.gp"}, "", plots);
   const std::vector<Eigen::Vector2d> drawn = Numbers(TextOf(plots / "top_view.txt"));
   const Eigen::Rotation2Dd turn(0.3);
   for (const Eigen::Vector2d& corner :
@@ -131,7 +131,7 @@ TEST(PlotRunTest, AScriptDrawsItsPlotAgainByItself) {
   const auto plots = PlottedRun() / "plots";
   const std::string before = TextOf(plots / "com.svg");
   std::filesystem::remove(plots / "com.svg");
-  RunOrThrow({"gnuplot", "com.gp"}, "", plots);
+  RunTool({"gnuplot", "com.gp"}, "", plots);
   EXPECT_EQ(TextOf(plots / "com.svg").size(), before.size());
 }
 

@@ -8,6 +8,7 @@
 #include "models/support/config_error.h"
 #include "sim/record/recorder.h"
 #include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 #include "tests/unit/record/record_test_support.h"
 
 namespace sidestep::recorder_cut_short_test {
@@ -27,7 +28,7 @@ TEST_F(RecorderCutShortTest, FilesOnDiskEndWithWholeRowsWhileTheRunGoesOn) {
   EXPECT_EQ(text.back(), '\n');
   EXPECT_GT(CsvTable::Read(folder_ / "trajectory.csv").num_rows(), 500u);
   EXPECT_GT(ReadStates(folder_).rows.size(), 500u);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "summary.json"));
+  EXPECT_EQ(ReadSummary(folder_).verdict, VerdictClass::kInvalid);
 }
 
 TEST_F(RecorderCutShortTest, RunThatIsAbandonedKeepsEveryRow) {
@@ -47,11 +48,16 @@ TEST_F(RecorderCutShortTest, RunThatIsAbandonedKeepsEveryRow) {
 TEST_F(RecorderCutShortTest, OlderSummaryDoesNotOutliveTheStartOfANewRun) {
   const Scenario scenario = TwoFeetScenario();
   const ScriptedWorld world(scenario);
-  Recorder(scenario, world, folder_, {}).Finish({}, 1.0, 1.0);
-  ASSERT_TRUE(std::filesystem::exists(folder_ / "summary.json"));
+  RunOutcome outcome;
+  outcome.footsteps.resize(1);
+  Recorder(scenario, world, folder_, {}).Finish(outcome, 1.0, 1.0);
+  ASSERT_EQ(ReadSummary(folder_).verdict, VerdictClass::kPass);
   const Recorder recorder(scenario, world, folder_, {});
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "summary.json"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "footsteps.csv"));
+  const RunSummary summary = ReadSummary(folder_);
+  EXPECT_EQ(summary.verdict, VerdictClass::kInvalid);
+  ASSERT_EQ(summary.reasons.size(), 1U);
+  EXPECT_EQ(summary.reasons[0].kind, reason::kInterrupted);
+  EXPECT_EQ(ReadFootsteps(folder_).size(), 0U);
 }
 
 TEST_F(RecorderCutShortTest, NoTemporaryFileIsLeft) {

@@ -9,6 +9,7 @@
 #include "sim/record/output_file.h"
 #include "sim/record/recorder.h"
 #include "sim/record/run_reader.h"
+#include "sim/record/run_summary.h"
 #include "tests/unit/record/record_test_support.h"
 
 namespace sidestep::recorder_fork_test {
@@ -88,13 +89,13 @@ TEST_F(RecorderForkTest, AForkOfAForkHoldsTheRowsOfBoth) {
   ExpectSameFiles(Straight("straight", 20, 60, 0.0), folder_ / "third");
 }
 
-TEST_F(RecorderForkTest, AForkThatIsAbandonedKeepsEveryRowAndHasNoSummary) {
+TEST_F(RecorderForkTest, AForkThatIsAbandonedKeepsEveryRowAndIsInvalid) {
   const auto recorder = Start(folder_ / "original");
   AddRows(recorder.get(), 0, 20);
   recorder->ForkTo(folder_ / "fork").reset();
   EXPECT_EQ(CsvTable::Read(folder_ / "fork" / "trajectory.csv").num_rows(), 10U);
   EXPECT_EQ(ReadStates(folder_ / "fork").rows.size(), 10U);
-  EXPECT_FALSE(fs::exists(folder_ / "fork" / "summary.json"));
+  EXPECT_EQ(ReadSummary(folder_ / "fork").verdict, VerdictClass::kInvalid);
 }
 
 TEST_F(RecorderForkTest, AnOlderRunInTheForksFolderIsOverwritten) {
@@ -102,7 +103,7 @@ TEST_F(RecorderForkTest, AnOlderRunInTheForksFolderIsOverwritten) {
   const auto recorder = Start(folder_ / "original");
   AddRows(recorder.get(), 0, 20);
   const auto fork = recorder->ForkTo(folder_ / "fork");
-  EXPECT_FALSE(fs::exists(folder_ / "fork" / "summary.json"));
+  EXPECT_EQ(ReadSummary(folder_ / "fork").verdict, VerdictClass::kInvalid);
   AddRows(fork.get(), 20, 40);
   Finish(fork.get());
   ExpectSameFiles(Straight("straight", 20, 40, 0.0), folder_ / "fork");

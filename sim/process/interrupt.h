@@ -3,11 +3,13 @@
 // interrupt: Ctrl-C and a polite kill end a run early but leave its files whole.
 //
 // The handler only raises a flag. The episode loop reads it each tick, ends, and everything after
-// it (files, summary) goes on as usual with verdict INVALID, reason INTERRUPTED.
+// it (files, summary) goes on as usual with verdict INVALID, reason INTERRUPTED. What draws ends
+// its programs and throws Interrupted.
 
 #include <atomic>
 #include <csignal>
 #include <ctime>
+#include <stdexcept>
 
 namespace sidestep {
 
@@ -33,6 +35,12 @@ inline void HandleInterrupt(int signal) {
 }
 
 }  // namespace internal
+
+/// Work was given up because the user asked for it; what was begun is cleared away.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
 
 /// True once SIGINT or SIGTERM arrived.
 inline bool InterruptRequested() { return internal::interrupt_flag.load(); }
