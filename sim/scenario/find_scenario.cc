@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "models/support/config_error.h"
+#include "models/support/config_tree.h"
 #include "models/support/data_folder.h"
 #include "models/support/nearest_name.h"
 
@@ -41,6 +42,14 @@ fs::path FindScenario(const fs::path& word) {
   }
   throw ConfigError(word.string() + ": error: " + what + "; " +
                     DidYouMean(name, shipped, "scenarios that ship"));
+}
+
+bool IsSweepFile(const fs::path& file) {
+  try {
+    return ReadConfigFile(file).Find(kSweepKey) != nullptr;
+  } catch (const ConfigError&) {
+    return false;
+  }
 }
 
 }  // namespace sidestep

@@ -17,4 +17,10 @@ std::vector<std::string> ShippedScenarios();
 /// @throws ConfigError, which names a shipped scenario that looks like it, if it is neither.
 std::filesystem::path FindScenario(const std::filesystem::path& word);
 
+/// The key that a sweep's file begins with, where a scenario's has `sidestep`.
+inline constexpr const char* kSweepKey = "sidestep_sweep";
+
+/// Whether `file` is a sweep's (see `sidestep sweep`) and no scenario; what can't be read is none.
+bool IsSweepFile(const std::filesystem::path& file);
+
 }  // namespace sidestep

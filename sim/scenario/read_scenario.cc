@@ -13,6 +13,7 @@
 #include "models/support/nearest_name.h"
 #include "sim/scenario/apply_override.h"
 #include "sim/scenario/check_scenario.h"
+#include "sim/scenario/find_scenario.h"
 #include "sim/scenario/read_fields.h"
 #include "sim/scenario/read_sections.h"
 #include "sim/scenario/resolve_pushes.h"
@@ -21,6 +22,11 @@ namespace sidestep {
 namespace {
 
 constexpr std::int64_t kFormatVersion = 1;
+
+void RejectSweep(const ConfigTree& root) {
+  if (root.Find(kSweepKey) == nullptr) return;
+  FailAt(root.place, "is a sweep's file, no scenario's; sidestep sweep runs it");
+}
 
 void ReadVersion(ConfigMap& map) {
   const ConfigNode version = map.Required("sidestep");
@@ -108,6 +114,7 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
 
   Scenario scenario;
   scenario.file = file;
+  RejectSweep(root);
   ReadVersion(map);
   ReadBasics(map, &scenario);
   ReadRobot(map.Required("robot"), map.Optional("control"), note, read_robot, &scenario);

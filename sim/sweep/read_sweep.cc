@@ -143,7 +143,7 @@ std::filesystem::path AbsoluteScenario(const std::string& word,
 }
 
 void ReadVersion(ConfigMap* map) {
-  const ConfigNode version = map->Required("sidestep_sweep");
+  const ConfigNode version = map->Required(kSweepKey);
   if (version.Integer(0, std::numeric_limits<std::int32_t>::max()) != kFormatVersion) {
     version.Fail("= " + version.Text() + " is a format that this program can't read; it reads 1");
   }
@@ -270,7 +270,7 @@ SweepSpec ReadSweep(const std::filesystem::path& target, const SweepOptions& opt
   const std::filesystem::path file = FindScenario(target);
   const ConfigTree root = ReadConfigFile(file);
   SweepSpec spec;
-  if (root.Find("sidestep_sweep") != nullptr) {
+  if (root.Find(kSweepKey) != nullptr) {
     spec = ReadSweepFile(file, root);
   } else {
     spec.name = file.stem().string();

@@ -91,6 +91,31 @@ class SweepTest : public testing::Test {
   const fs::path other_ = folder_.path() / "other";
 };
 
+TEST_F(SweepTest, AFolderIsCheckedWithoutItsSweepsAndValidatedWithThem) {
+  const ProcessResult both = Sidestep({"validate", folder_.path()});
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(folder_.Shorten(both.out), "ok: hop.yaml\nok: map.yaml\n");
+  const ProcessResult check =
+      Sidestep({"check", folder_.path(), "-q", "-o", one_, "--set", "duration_s=2.5"});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_EQ(check.out.find("map"), std::string::npos) << check.out;
+
+  const ProcessResult run = Sidestep({"run", sweep_, "-o", other_});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(folder_.Shorten(run.err),
+            "map.yaml:1:1: error: is a sweep's file, no scenario's; sidestep sweep runs it\n");
+}
+
+// A value that no run of the sweep could have.
+TEST_F(SweepTest, EveryRayOfASweepIsValidated) {
+  std::string text = kSweep;
+  text.replace(text.find("mid_stance"), 10, "mid_dance");
+  folder_.Write("map.yaml", text);
+  const ProcessResult run = Sidestep({"validate", sweep_});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("mid_dance"), std::string::npos) << run.err;
+}
+
 TEST_F(SweepTest, InSevenShardsAndInOneGoItIsTheSameTable) {
   const ProcessResult one = Sweep(one_, {"-j2"});
   EXPECT_EQ(one.exit_code, 0) << one.err << "falls are results";

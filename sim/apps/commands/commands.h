@@ -25,7 +25,7 @@ void AddSweepCommand(CLI::App& app, int& exit_code);
 /// `compare A B`: two runs or two maps, told apart in numbers.
 void AddCompareCommand(CLI::App& app, int& exit_code);
 
-/// `validate PATH...`: reads scenarios and says what is wrong with them.
+/// `validate PATH...`: reads scenarios and sweeps and says what is wrong with them.
 void AddValidateCommand(CLI::App& app, int& exit_code);
 
 /// `render RUN_DIR`, `plot RUN_DIR`, `report RUN_DIR...`: what `run` draws, again.

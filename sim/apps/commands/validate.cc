@@ -5,8 +5,11 @@
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
+#include "sim/apps/commands/sweep_folder.h"
 #include "sim/check/find_scenarios.h"
+#include "sim/scenario/find_scenario.h"
 #include "sim/scenario/read_scenario.h"
+#include "sim/sweep/sweep_plan.h"
 
 namespace sidestep {
 namespace {
@@ -16,11 +19,23 @@ struct ValidateArguments {
   std::vector<std::string> overrides;
 };
 
+// Reads the sweep and the first cell of every ray.
+void ReadWholeSweep(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  SweepArguments arguments;
+  arguments.target = file;
+  arguments.sweep.set = overrides;
+  MakePlan(ReadTarget(arguments), [](double /*share*/) {});
+}
+
 int Validate(const ValidateArguments& arguments) {
   int exit_code = kExitPass;
-  for (const auto& file : FindScenarios(arguments.paths)) {
+  for (const auto& file : FindScenarios(arguments.paths, SweepFiles::kFound)) {
     try {
-      ReadScenario(file, arguments.overrides, PrintNote);
+      if (IsSweepFile(file)) {
+        ReadWholeSweep(file, arguments.overrides);
+      } else {
+        ReadScenario(file, arguments.overrides, PrintNote);
+      }
       std::printf("ok: %s\n", file.c_str());
     } catch (const ConfigError& error) {
       std::fprintf(stderr, "%s\n", error.what());
@@ -33,11 +48,13 @@ int Validate(const ValidateArguments& arguments) {
 }  // namespace
 
 void AddValidateCommand(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("validate", "Read scenarios and say what is wrong");
+  CLI::App* command =
+      app.add_subcommand("validate", "Read scenarios and sweeps and say what is wrong");
   const auto arguments = std::make_shared<ValidateArguments>();
   command
       ->add_option("PATH", arguments->paths,
-                   "Scenario files or names of shipped ones; folders are searched for *.yaml")
+                   "Files of scenarios or sweeps, or names of scenarios that ship; folders are "
+                   "searched for *.yaml")
       ->required();
   AddSetOption(*command, arguments->overrides);
   command->callback([arguments, &exit_code] { exit_code = Validate(*arguments); });

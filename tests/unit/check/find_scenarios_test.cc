@@ -31,6 +31,17 @@ TEST(FindScenariosTest, AFileMayHaveAnyName) {
   EXPECT_EQ(FindScenarios({odd}), Paths{odd});
 }
 
+TEST(FindScenariosTest, SweepsInAFolderAreFoundOnlyWhereTheyAreAskedFor) {
+  const ScratchFolder folder;
+  const auto sweep = folder.Write("maps/a.yaml", "name: a\nsidestep_sweep: 1\n");
+  EXPECT_THROW(FindScenarios({folder.path()}), ConfigError) << "it holds nothing else";
+  const auto scenario = folder.Write("b.yaml", "sidestep: 1\nname: sidestep_sweep\n");
+  const auto broken = folder.Write("c.yaml", "sidestep_sweep: [1\n");
+  EXPECT_EQ(FindScenarios({folder.path()}), (Paths{scenario, broken})) << "what's broken is told";
+  EXPECT_EQ(FindScenarios({folder.path()}, SweepFiles::kFound), (Paths{scenario, broken, sweep}));
+  EXPECT_EQ(FindScenarios({sweep}), Paths{sweep}) << "as given";
+}
+
 TEST(FindScenariosTest, AMissingPathAndAFolderWithoutScenariosAreErrors) {
   const ScratchFolder folder;
   EXPECT_THROW(FindScenarios({folder.path() / "none.yaml"}), ConfigError);
