@@ -80,7 +80,7 @@ void ReadInto(const RunSummary& summary, Outcome* outcome) {
   for (const ExpectationSummary& expectation : summary.expectations) {
     outcome->measured.push_back(MeasuredText(expectation));
   }
-  const double factor = summary.real_time_factor;
+  const double factor = summary.cpu_real_time_factor;
   outcome->real_time_factor = std::isfinite(factor) ? factor : 0.0;
 }
 

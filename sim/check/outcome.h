@@ -18,7 +18,7 @@ struct Outcome {
   std::vector<std::string> reasons;   ///< "FALL at 1.204 s: ..."; empty for PASS.
   std::vector<std::string> measured;  ///< "fall = false", one an expectation, its bounds after it.
   double wall_s{0.0};
-  double real_time_factor{0.0};  ///< Simulated over wall time; 0 if unknown.
+  double real_time_factor{0.0};  ///< Simulated over processor time; 0 if unknown.
   std::string error_output;      ///< End of what the process wrote to stderr.
 };
 

@@ -15,14 +15,14 @@ Episode StartEpisode(const Scenario& scenario, const ControllerFactory& make_con
   std::unique_ptr<World> world = MakeWorld(scenario);
   const double mass_kg = world->mass_kg();
   Judge judge(MeterSetupOf(scenario, mass_kg, world->joints()), scenario.expect);
-  auto timer = std::make_unique<WallStageTimer>();
+  auto timer = std::make_unique<ClockStageTimer>();
   std::unique_ptr<Controller> controller = make_controller(SetupOf(scenario), timer.get());
   return {scenario,         std::move(world),      MakeSensorSuite(scenario, mass_kg),
           std::move(timer), std::move(controller), std::move(judge)};
 }
 
 Episode Fork(const Episode& episode) {
-  auto timer = std::make_unique<WallStageTimer>();
+  auto timer = std::make_unique<ClockStageTimer>();
   std::unique_ptr<Controller> controller = episode.controller->Clone(timer.get());
   return {episode.scenario,      episode.world->Clone(), episode.sensors, std::move(timer),
           std::move(controller), episode.judge,          episode.tick,    episode.is_over};

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "controller/make_controller.h"
-#include "sim/episode/wall_stage_timer.h"
+#include "sim/episode/clock_stage_timer.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sensors/sensor_suite.h"
 #include "sim/verdict/judge.h"
@@ -24,7 +24,7 @@ struct Episode {
   Scenario scenario;
   std::unique_ptr<World> world;
   SensorSuite sensors;
-  std::unique_ptr<WallStageTimer> timer;  ///< Where the controller reports its stages.
+  std::unique_ptr<ClockStageTimer> timer;  ///< Where the controller reports its stages.
   std::unique_ptr<Controller> controller;
   Judge judge;
   Tick tick{0};

@@ -5,8 +5,6 @@
 
 #include "sim/episode/run_episode.h"
 
-#include <chrono>
-
 #include "sim/process/interrupt.h"
 
 namespace sidestep {
@@ -14,25 +12,21 @@ namespace {
 
 constexpr double kProgressPeriod_s = 0.1;  // simulated
 
-double ElapsedMs(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
-
 // Asks the controller; its answer lives until it is asked again.
-const ControlTick& Ask(Controller* controller, const SensorFrame& frame, WallStageTimer* timer,
-                       WallTimes* wall) {
+const ControlTick& Ask(Controller* controller, const SensorFrame& frame, ClockStageTimer* timer,
+                       TickTimes* times) {
   timer->Reset();
-  const auto start = std::chrono::steady_clock::now();
+  const ClockReading start = ClockReading::Now();
   const ControlTick& control = controller->Update(frame);
-  *wall = {ElapsedMs(start), timer->Spent_ms(Stage::kMpc), timer->Spent_ms(Stage::kWholeBody)};
+  *times = {ClockReading::Now().Since(start), timer->Spent(Stage::kMpc),
+            timer->Spent(Stage::kWholeBody)};
   return control;
 }
 
-void Show(const Episode& episode, const ControlTick& control, const WallTimes& wall,
+void Show(const Episode& episode, const ControlTick& control, const TickTimes& times,
           const Onlookers& onlookers) {
   if (onlookers.recorder != nullptr) {
-    onlookers.recorder->Add(episode.tick, episode.world->truth(), control, wall);
+    onlookers.recorder->Add(episode.tick, episode.world->truth(), control, times);
   }
   if (onlookers.dump != nullptr && control.mpc.ran) {
     onlookers.dump->Add(episode.time_s(), control.mpc.fell_back, [&](const std::string& name) {
@@ -68,9 +62,9 @@ void RunEpisode(Episode* episode, const Onlookers& onlookers, Tick until) {
     const ControlTick* control = nullptr;
     if (tick % control_period == 0) {
       const SensorFrame frame = episode->sensors.Read(world.truth(), tick);
-      WallTimes wall;
-      control = &Ask(episode->controller.get(), frame, episode->timer.get(), &wall);
-      Show(*episode, *control, wall, onlookers);
+      TickTimes times;
+      control = &Ask(episode->controller.get(), frame, episode->timer.get(), &times);
+      Show(*episode, *control, times, onlookers);
       world.Apply(control->command);
     }
     episode->judge.Add(tick, world.truth(), control);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/episode/run_scenario.h"
 
-#include <chrono>
 #include <exception>
 
 namespace sidestep {
@@ -20,15 +19,16 @@ void KeepWhatCameOfIt(const Finish& finish) {
 
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options,
                       const ControllerFactory& make_controller) {
-  const auto start = std::chrono::steady_clock::now();
+  const ClockReading start = ClockReading::Now();
   Episode episode = StartEpisode(scenario, make_controller);
   Recorder recorder(scenario, *episode.world, options.out_dir, options.command);
   ProblemDump dump(options.out_dir, options.dump_every_problem);
   const auto finish = [&] {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    const StageTime whole = ClockReading::Now().Since(start);
+    const RunTime took{1e-3 * whole.wall_ms, 1e-3 * whole.cpu_ms};
     const RunOutcome outcome = episode.judge.Conclude();
-    recorder.Finish(outcome, episode.time_s(), wall.count());
-    return RunResult{outcome.verdict, options.out_dir, episode.time_s(), wall.count()};
+    recorder.Finish(outcome, episode.time_s(), took);
+    return RunResult{outcome.verdict, options.out_dir, episode.time_s(), took};
   };
   try {
     RunEpisode(&episode, {&recorder, &dump, options.progress});

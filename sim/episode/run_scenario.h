@@ -25,7 +25,7 @@ struct RunResult {
   Verdict verdict;
   std::filesystem::path out_dir;
   double simulated_s{0.0};
-  double wall_s{0.0};
+  RunTime took{};
 };
 
 /// Runs and judges. Throws ConfigError if a file can't be written or the robot does not compile.

@@ -15,6 +15,7 @@ constexpr double kCellHeight = 38.0;
 constexpr double kTop = 46.0;    // title, directions
 constexpr double kLetter = 7.2;  // a letter's width at 12 px, rather too much
 constexpr double kNarrowest = 70.0;
+constexpr double kRounding = 1e-9;  // N s/kg: of strengths that were halved to on both sides
 
 /// What stands in a cell.
 struct Field {
@@ -115,22 +116,24 @@ Drawing HeatPicture(const SweepMap& map, std::size_t controller) {
   });
 }
 
-Drawing DifferencePicture(const SweepMap& map) {
+Drawing DifferencePicture(const SweepMap& map, std::size_t other) {
   double most = 0.0;
   const auto difference = [&](const MapCell& first) {
-    const MapCell* second = FindCell(map, 1, first.panel, first.direction);
-    return second == nullptr ? kUnknown : ValueOf(map, first) - ValueOf(map, *second);
+    const MapCell* second = FindCell(map, other, first.panel, first.direction);
+    if (second == nullptr) return kUnknown;
+    const double gap = ValueOf(map, first) - ValueOf(map, *second);
+    return std::abs(gap) < kRounding ? 0.0 : gap;
   };
   for (const MapCell& cell : map.cells) {
     const double value = cell.controller == 0 ? difference(cell) : kUnknown;
     if (std::isfinite(value)) most = std::max(most, std::abs(value));
   }
-  const std::string title = map.controllers[0] + " less " + map.controllers[1] +
+  const std::string title = map.controllers[0] + " less " + map.controllers[other] +
                             (map.has_limits ? " (N s/kg)" : " (share)");
   return Grid(map, 0, title, [&](const MapCell& first) {
     const double value = difference(first);
     Field field{DivergingColor(most > 0.0 ? value / most : value), "-", "", false};
-    const MapCell* second = FindCell(map, 1, first.panel, first.direction);
+    const MapCell* second = FindCell(map, other, first.panel, first.direction);
     const Contest contest = second ? Compare(map, first, *second) : Contest::kNothing;
     if (contest == Contest::kNothing) return field;
     field.is_bold = contest != Contest::kOpen;

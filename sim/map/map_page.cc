@@ -114,9 +114,12 @@ std::string Pictures(const SweepMap& map) {
                           "Limits by phase and direction, " + map.controllers[i], "wide");
   }
   if (map.controllers.size() < 2) return html;
-  return html + "<h2>Difference</h2>\n" +
-         FigureElement(DifferencePicture(map), map.controllers[0] + " less " + map.controllers[1],
-                       "wide") +
+  html += "<h2>Difference</h2>\n";
+  for (std::size_t i = 1; i < map.controllers.size(); ++i) {
+    html += FigureElement(DifferencePicture(map, i),
+                          map.controllers[0] + " less " + map.controllers[i], "wide");
+  }
+  return html +
          "<p class=\"note\">Bold where the brackets are apart: one survived all that the other was "
          "lost at. In brackets where they overlap, and nothing is decided.</p>\n";
 }

@@ -129,9 +129,15 @@ Drawing SheetPicture(const SweepMap& map) {
     }
   }
   for (std::size_t i = 0; i < map.controllers.size(); ++i) heats.push_back(HeatPicture(map, i));
-  if (map.controllers.size() > 1) heats.push_back(DifferencePicture(map));
-  sheet.Table(polars, PolarColumns(map));
-  sheet.Table(heats, 1);
+  for (std::size_t i = 1; i < map.controllers.size(); ++i) {
+    heats.push_back(DifferencePicture(map, i));
+  }
+  const std::size_t columns = PolarColumns(map);
+  sheet.Table(polars, columns);
+  const double width =
+      static_cast<double>(std::min(columns, polars.size())) * (polars.front().width() + kGap);
+  sheet.Table(heats, std::max<std::size_t>(
+                         1, static_cast<std::size_t>(width / (heats.front().width() + kGap))));
   return sheet.Finish();
 }
 

@@ -47,8 +47,9 @@ Drawing PolarPicture(const SweepMap& map, std::size_t controller, std::size_t pa
 /// Panel by direction, the figure in each cell, and what share of the pendulum's limit it is.
 Drawing HeatPicture(const SweepMap& map, std::size_t controller);
 
-/// The first controller's limits less the second's; in brackets where the brackets overlap.
-Drawing DifferencePicture(const SweepMap& map);
+/// The first controller's limits less those of the `other`-th; in brackets where the brackets
+/// overlap.
+Drawing DifferencePicture(const SweepMap& map, std::size_t other);
 
 /// A line a cell with its tested strengths, of maps without directions; at most so many.
 inline constexpr std::size_t kMostStrips = 60;

@@ -86,6 +86,10 @@ std::string SolveScript(const PlotData& data) {
            << LineStyle(kReferenceColor, "linewidth 1.0") << " title 'iterations (right axis)'"
            << ", \\\n  '../mpc.csv' using \"time_s\":\"wall_ms\" with points pointtype 7 "
            << "pointsize 0.45 linecolor rgb \"" << kTruthColor << "\" title 'solve time'";
+    if (data.has_cpu_times) {
+      script << ", \\\n  '../mpc.csv' using \"time_s\":\"cpu_ms\" with points pointtype 6 "
+             << "pointsize 0.45 linecolor rgb \"" << kMpcColor << "\" title 'of the processor'";
+    }
   }
   if (data.deadline_ms > 0.0) {
     script << ", \\\n  " << data.deadline_ms << " with lines "

@@ -187,7 +187,9 @@ PlotData LoadPlotData(const std::filesystem::path& run_dir) {
   data.thinned_csv = Thinned(ColumnsOf(trajectory, PlottedColumns(data.feet)), kMostRows);
   ReadPhasesInto(trajectory, time_s, &data);
   data.has_footsteps = !ReadFootsteps(run_dir).empty();
-  data.has_solves = CsvTable::Read(run_dir / "mpc.csv").num_rows() > 0;
+  const CsvTable solves = CsvTable::Read(run_dir / "mpc.csv");
+  data.has_solves = solves.num_rows() > 0;
+  data.has_cpu_times = solves.has("cpu_ms");
   return data;
 }
 

@@ -55,6 +55,7 @@ struct PlotData {
   double p99_ms{0.0};
   bool has_footsteps{false};  ///< footsteps.csv holds a row.
   bool has_solves{false};     ///< mpc.csv holds a row.
+  bool has_cpu_times{false};  ///< Its rows tell the processor's time, too.
   std::string thinned_csv;    ///< The plotted columns of trajectory.csv, at most 2000 rows.
   /// The CoM's and the base's motion for phase portraits, at most 6000 rows: y and z of the CoM,
   /// roll and pitch of the base (yaw first), and their rates.

@@ -29,7 +29,7 @@ const std::vector<std::string>& PlotNames() {
   return kNames;
 }
 
-void PlotRun(const std::filesystem::path& run_dir) {
+void PlotRun(const std::filesystem::path& run_dir, PlotFiles files) {
   const plot::PlotData data = plot::LoadPlotData(run_dir);
   const std::filesystem::path dir = run_dir / "plots";
   std::error_code failure;
@@ -41,7 +41,7 @@ void PlotRun(const std::filesystem::path& run_dir) {
     const std::string file = script.name + ".gp";
     WriteText(dir / file, plot::Preamble(script.name) + script.body(data));
     RunGnuplot({file}, {}, dir);
-    RunGnuplot({"-e", "format='png'", file}, {}, dir);
+    if (files == PlotFiles::kSvgAndPng) RunGnuplot({"-e", "format='png'", file}, {}, dir);
   }
 }
 

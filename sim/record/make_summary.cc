@@ -42,6 +42,12 @@ JointSummary SummaryOf(const JointRecord& record) {
   return joint;
 }
 
+std::vector<double> Column(const std::vector<StageTime>& times, double StageTime::*clock) {
+  std::vector<double> column;
+  for (const StageTime& time : times) column.push_back(time.*clock);
+  return column;
+}
+
 }  // namespace
 
 StageTimes StageTimesOf(std::vector<double> times_ms, double deadline_ms) {
@@ -84,13 +90,21 @@ RunSummary MakeSummary(const Scenario& scenario, const RunOutcome& outcome, cons
     summary.gaits.push_back({record.gait.type, record.gait.start_s, record.figures});
   }
   for (const JointRecord& record : outcome.joints) summary.joints.push_back(SummaryOf(record));
-  summary.solve_time = StageTimesOf(facts.solve_ms, 1000.0 / scenario.control.mpc.rate_hz);
-  summary.whole_body_time = StageTimesOf(facts.whole_body_ms, 1000.0 / scenario.control.rate_hz);
+  const double mpc_period_ms = 1000.0 / scenario.control.mpc.rate_hz;
+  const double control_period_ms = 1000.0 / scenario.control.rate_hz;
+  summary.solve_time = StageTimesOf(Column(facts.solves, &StageTime::wall_ms), mpc_period_ms);
+  summary.solve_cpu = StageTimesOf(Column(facts.solves, &StageTime::cpu_ms), mpc_period_ms);
+  summary.whole_body_time =
+      StageTimesOf(Column(facts.whole_body, &StageTime::wall_ms), control_period_ms);
+  summary.whole_body_cpu =
+      StageTimesOf(Column(facts.whole_body, &StageTime::cpu_ms), control_period_ms);
   summary.seed = scenario.seed;
   summary.command = facts.command;
   summary.simulated_s = facts.simulated_s;
-  summary.wall_s = facts.wall_s;
-  summary.real_time_factor = facts.simulated_s / facts.wall_s;
+  summary.wall_s = facts.took.wall_s;
+  summary.cpu_s = facts.took.cpu_s;
+  summary.real_time_factor = facts.simulated_s / facts.took.wall_s;
+  summary.cpu_real_time_factor = facts.simulated_s / facts.took.cpu_s;
   return summary;
 }
 

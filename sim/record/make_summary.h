@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/record/run_summary.h"
+#include "sim/record/tick_times.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/verdict.h"
 
@@ -21,10 +22,10 @@ std::vector<std::pair<std::string, std::string>> Versions();
 /// What the summary tells beside the outcome.
 struct RunFacts {
   std::vector<std::string> command;
-  std::vector<double> solve_ms;       ///< One a solve of the MPC.
-  std::vector<double> whole_body_ms;  ///< One a run of the whole-body control.
+  std::vector<StageTime> solves;      ///< One a solve of the MPC.
+  std::vector<StageTime> whole_body;  ///< One a run of the whole-body control.
   double simulated_s{0.0};
-  double wall_s{0.0};
+  RunTime took;
 };
 
 /// The summary of a run of `scenario`.

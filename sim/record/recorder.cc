@@ -18,7 +18,7 @@ namespace {
 constexpr double kFlushPeriod_s = 0.1;  // simulated: what a run that is killed may lose
 
 constexpr char kMpcHeader[] =
-    "time_s,status,iterations,cost,constraint_violation,kkt_error,wall_ms\n";
+    "time_s,status,iterations,cost,constraint_violation,kkt_error,wall_ms,cpu_ms\n";
 
 std::vector<std::string> FootNames(const Scenario& scenario) {
   std::vector<std::string> names;
@@ -44,10 +44,11 @@ RunOutcome NotEnded() {
   return outcome;
 }
 
-void AppendMpcRow(double time_s, const MpcReport& mpc, double wall_ms, std::string& text) {
+void AppendMpcRow(double time_s, const MpcReport& mpc, const StageTime& took, std::string& text) {
   AppendNumber(text, time_s);
   text.append(",").append(EnumName(mpc.status)).append(",").append(std::to_string(mpc.iterations));
-  for (const double value : {mpc.cost, mpc.constraint_violation, mpc.kkt_error, wall_ms}) {
+  for (const double value :
+       {mpc.cost, mpc.constraint_violation, mpc.kkt_error, took.wall_ms, took.cpu_ms}) {
     text.push_back(',');
     AppendNumber(text, value);
   }
@@ -132,34 +133,34 @@ std::unique_ptr<Recorder> Recorder::ForkTo(const std::filesystem::path& run_dir)
 }
 
 void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& control,
-                   const WallTimes& wall) {
+                   const TickTimes& times) {
   State& state = *state_;
   const double time_s = SecondsAt(tick, state.scenario.world.step_s);
   state.row.clear();
-  state.table.AppendRow({time_s, truth, control, wall}, state.row);
+  state.table.AppendRow({time_s, truth, control, times}, state.row);
   state.trajectory.Append(state.row);
 
   state.row.clear();
   AppendStatesRow(time_s, truth, control, state.row);
   state.states.Append(state.row);
 
-  if (wall.whole_body_ms > 0.0) state.facts.whole_body_ms.push_back(wall.whole_body_ms);
+  if (times.whole_body.wall_ms > 0.0) state.facts.whole_body.push_back(times.whole_body);
   if (control.mpc.ran) {
     state.row.clear();
-    AppendMpcRow(time_s, control.mpc, wall.mpc_ms, state.row);
+    AppendMpcRow(time_s, control.mpc, times.mpc, state.row);
     state.mpc.Append(state.row);
-    state.facts.solve_ms.push_back(wall.mpc_ms);
+    state.facts.solves.push_back(times.mpc);
   }
   state.FlushOnceDue(time_s);
 }
 
-void Recorder::Finish(const RunOutcome& outcome, double simulated_s, double wall_s) {
+void Recorder::Finish(const RunOutcome& outcome, double simulated_s, const RunTime& took) {
   State& state = *state_;
   state.trajectory.Close();
   state.states.Close();
   state.mpc.Close();
   state.facts.simulated_s = simulated_s;
-  state.facts.wall_s = wall_s;
+  state.facts.took = took;
   state.WriteWholeAtEnd(outcome);
 }
 

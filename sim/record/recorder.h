@@ -14,7 +14,7 @@
 
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
-#include "sim/record/wall_times.h"
+#include "sim/record/tick_times.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/verdict.h"
 #include "sim/world/world.h"
@@ -39,11 +39,11 @@ class Recorder {
 
   /// Adds the row of a control tick.
   /// @param truth  State at `tick`, before the command acts.
-  void Add(Tick tick, const WorldTruth& truth, const ControlTick& control, const WallTimes& wall);
+  void Add(Tick tick, const WorldTruth& truth, const ControlTick& control, const TickTimes& times);
 
   /// Closes the streams, then writes footsteps.csv and summary.json. Call once.
-  /// @param simulated_s  Time the run covered. @param wall_s  Time it took.
-  void Finish(const RunOutcome& outcome, double simulated_s, double wall_s);
+  /// @param simulated_s  Time the run covered. @param took  Time it took.
+  void Finish(const RunOutcome& outcome, double simulated_s, const RunTime& took);
 
  private:
   struct State;

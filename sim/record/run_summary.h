@@ -138,7 +138,7 @@ struct JointSummary {
   }
 };
 
-/// Wall-clock figures of a stage's runs (ms). NaN without a run.
+/// Figures of a stage's runs by one clock (ms). NaN without a run.
 struct StageTimes {
   double mean_ms{kNotTold};
   double p50_ms{kNotTold};
@@ -171,14 +171,18 @@ struct RunSummary {
   std::vector<PushSummary> pushes;               ///< In the scenario's order.
   std::vector<GaitSummary> gaits;                ///< Likewise.
   std::vector<JointSummary> joints;              ///< In the order of the actuators.
-  StageTimes solve_time;                         ///< One run a solve of the MPC.
+  StageTimes solve_time;                         ///< One run a solve of the MPC; on the wall.
+  StageTimes solve_cpu;                          ///< Of the processor.
   StageTimes whole_body_time;                    ///< One run a tick of the whole-body control.
+  StageTimes whole_body_cpu;                     ///< Of the processor.
   std::vector<std::pair<std::string, std::string>> versions;  ///< {program or library, version}.
   std::uint64_t seed{0};
   std::vector<std::string> command;  ///< The program's arguments.
   double simulated_s{kNotTold};
   double wall_s{kNotTold};
-  double real_time_factor{kNotTold};  ///< Simulated over wall time.
+  double cpu_s{kNotTold};                 ///< Of the processor.
+  double real_time_factor{kNotTold};      ///< Simulated over wall time.
+  double cpu_real_time_factor{kNotTold};  ///< Simulated over processor time.
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor&& visit) {
@@ -192,13 +196,17 @@ struct RunSummary {
     visit("gaits", self.gaits, kAddedLater);
     visit("joints", self.joints, kAddedLater);
     visit("solve_time_ms", self.solve_time);
+    visit("solve_cpu_ms", self.solve_cpu, kAddedLater);
     visit("whole_body_time_ms", self.whole_body_time, kAddedLater);
+    visit("whole_body_cpu_ms", self.whole_body_cpu, kAddedLater);
     visit("versions", self.versions);
     visit("seed", self.seed);
     visit("command", self.command);
     visit("simulated_s", self.simulated_s);
     visit("wall_s", self.wall_s);
+    visit("cpu_s", self.cpu_s, kAddedLater);
     visit("real_time_factor", self.real_time_factor);
+    visit("cpu_real_time_factor", self.cpu_real_time_factor, kAddedLater);
   }
 };
 

@@ -113,9 +113,9 @@ void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
   const bool thinks = plans || !row.control.state.feet.empty();
   line.Number("wbc_status", {}, {}, static_cast<int>(row.control.wbc.status), thinks);
   line.Number("mpc_age_s", {}, {}, row.control.mpc_age_s, plans);
-  line.Number("wall_control_ms", {}, {}, row.wall.control_ms);
-  line.Number("wall_whole_body_ms", {}, {}, row.wall.whole_body_ms);
-  line.Number("wall_mpc_ms", {}, {}, row.wall.mpc_ms);
+  line.Number("wall_control_ms", {}, {}, row.times.control.wall_ms);
+  line.Number("wall_whole_body_ms", {}, {}, row.times.whole_body.wall_ms);
+  line.Number("wall_mpc_ms", {}, {}, row.times.mpc.wall_ms);
   line.End();
 }
 

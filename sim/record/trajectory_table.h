@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "controller/types/control_tick.h"
-#include "sim/record/wall_times.h"
+#include "sim/record/tick_times.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
 
@@ -23,7 +23,7 @@ struct TrajectoryRow {
   double time_s;  ///< Simulated.
   const WorldTruth& truth;
   const ControlTick& control;  ///< Of the same tick; both are referred to, not copied.
-  WallTimes wall;
+  TickTimes times;
 };
 
 /// The columns are fixed by the constructor: feet and joints by name, and whether a joint's command

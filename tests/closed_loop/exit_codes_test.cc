@@ -303,6 +303,8 @@ TEST(CheckTest, TheWorstVerdictDecidesAndJunitTellsEach) {
       {"check", folder.path() / "suite", "--jobs", "2", "--junit", junit, "-o", runs, "-q"});
   EXPECT_EQ(mixed.exit_code, 1) << mixed.err << mixed.out;
   EXPECT_NE(mixed.out.find("1 PASS, 1 FAIL, 0 INVALID"), std::string::npos) << mixed.out;
+  EXPECT_FALSE(fs::exists(runs + "/standing/plots")) << "it passed";
+  EXPECT_TRUE(fs::exists(runs + "/falling/plots/com.svg")) << "to see why";
   const std::string xml = TextOf(junit);
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\" errors=\"0\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("<failure message=\"FALL"), std::string::npos) << xml;

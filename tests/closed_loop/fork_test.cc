@@ -43,7 +43,9 @@ Scenario Shipped(const std::string& name) {
 std::string SummaryText(const std::filesystem::path& run_dir) {
   RunSummary summary = ReadSummary(run_dir);
   summary.solve_time = summary.whole_body_time = {};
+  summary.solve_cpu = summary.whole_body_cpu = {};
   summary.wall_s = summary.real_time_factor = 0.0;
+  summary.cpu_s = summary.cpu_real_time_factor = 0.0;
   return SummaryJson(summary);
 }
 
@@ -82,7 +84,7 @@ class Run {
 
   std::string Finish() {
     const RunOutcome outcome = episode_.judge.Conclude();
-    recorder_->Finish(outcome, episode_.time_s(), 1.0);
+    recorder_->Finish(outcome, episode_.time_s(), {1.0, 1.0});
     return Evidence(folder_.path(), outcome);
   }
 

@@ -18,7 +18,8 @@ inline std::string TextOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// A table's text without the columns that a clock wrote: those whose names begin with `wall_`.
+/// A table's text without the columns that a clock wrote: those whose names begin with `wall_` or
+/// `cpu_`.
 inline std::string WithoutWallClock(const std::filesystem::path& csv) {
   std::istringstream in(TextOf(csv));
   std::string header;
@@ -26,7 +27,7 @@ inline std::string WithoutWallClock(const std::filesystem::path& csv) {
   std::vector<bool> kept;
   std::stringstream names(header);
   for (std::string name; std::getline(names, name, ',');) {
-    kept.push_back(!name.starts_with("wall_"));
+    kept.push_back(!name.starts_with("wall_") && !name.starts_with("cpu_"));
   }
   std::string text;
   for (std::string line; std::getline(in, line);) {

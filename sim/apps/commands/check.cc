@@ -31,6 +31,7 @@ struct CheckArguments {
   bool has_out_dir{false};
   bool is_forced{false};
   bool has_video{false};
+  std::string plots{"failed"};  ///< always, failed, never.
   bool is_quiet{false};
   int jobs{1};
   std::vector<std::string> overrides;
@@ -64,7 +65,7 @@ CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) 
   plan.items = std::move(items);
   plan.program = ThisProgram();
   plan.jobs = arguments.jobs;
-  plan.arguments = {"--jobs", "1"};
+  plan.arguments = {"--jobs", "1", "--plots", arguments.plots};
   if (!arguments.has_video) plan.arguments.push_back("--no-video");
   for (const std::string& override : arguments.overrides) {
     plan.arguments.insert(plan.arguments.end(), {"--set", override});
@@ -135,6 +136,14 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command->add_flag("--force", arguments->is_forced, "Replace runs that lie in the --out folder");
   command->add_flag("--video", arguments->has_video, "Also draw the videos");
+  CLI::Option* plots =
+      command->add_option("--plots", arguments->plots, "Runs to plot: always, failed, never")
+          ->check(CLI::IsMember({"always", "failed", "never"}))
+          ->capture_default_str();
+  command
+      ->add_flag_callback(
+          "--no-plots", [arguments] { arguments->plots = "never"; }, "As --plots never")
+      ->excludes(plots);
   command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
   AddSetOption(*command, arguments->overrides);
   command->callback([arguments, out, &exit_code] {

@@ -29,7 +29,7 @@ struct RunArguments {
   bool is_forced{false};
   bool is_quiet{false};
   bool no_video{false};
-  bool no_plots{false};
+  std::string plots{"always"};  ///< always, failed, never.
   bool dump_mpc{false};
   int jobs{1};
   std::vector<std::string> overrides;
@@ -51,9 +51,10 @@ RunResult Simulate(const Scenario& scenario, const fs::path& out_dir,
 }
 
 void PrintVerdict(const std::string& name, const RunResult& result) {
-  std::printf("%s: %s (%.1f s, %.2gx real time)\n", name.c_str(),
-              std::string(EnumName(result.verdict.verdict_class)).c_str(), result.wall_s,
-              result.simulated_s / result.wall_s);
+  std::printf("%s: %s (%.1f s, %.2gx real time; %.1f s of CPU, %.2gx)\n", name.c_str(),
+              std::string(EnumName(result.verdict.verdict_class)).c_str(), result.took.wall_s,
+              result.simulated_s / result.took.wall_s, result.took.cpu_s,
+              result.simulated_s / result.took.cpu_s);
   for (const Reason& reason : result.verdict.reasons) {
     std::printf("  %s", reason.kind.c_str());
     if (reason.time_s) std::printf(" at %.3f s", *reason.time_s);
@@ -82,8 +83,11 @@ void DrawStep(const char* label, const fs::path& made, const std::function<void(
 }
 
 // Plots, video, report; each only reads what the run left.
-void Draw(const Scenario& scenario, const fs::path& run_dir, const RunArguments& arguments) {
-  if (!arguments.no_plots) DrawStep("plots", run_dir / "plots", [&] { PlotRun(run_dir); });
+void Draw(const Scenario& scenario, const fs::path& run_dir, bool has_passed,
+          const RunArguments& arguments) {
+  const bool has_plots =
+      arguments.plots == "always" || (arguments.plots == "failed" && !has_passed);
+  if (has_plots) DrawStep("plots", run_dir / "plots", [&] { PlotRun(run_dir); });
   if (!arguments.no_video && scenario.video.enabled) {
     DrawStep("video", run_dir / "video.mp4", [&] {
       Progress progress("video", arguments.is_quiet);
@@ -106,7 +110,7 @@ int Run(const RunArguments& arguments) {
   PrepareOutFolder(out_dir, arguments.is_forced);
   const RunResult result = Simulate(scenario, out_dir, arguments);
   PrintVerdict(scenario.name, result);
-  Draw(scenario, out_dir, arguments);
+  Draw(scenario, out_dir, result.verdict.verdict_class == VerdictClass::kPass, arguments);
   std::printf("  folder  %s\n", out_dir.c_str());
   return ExitCodeOf(result.verdict.verdict_class);
 }
@@ -124,7 +128,14 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command->add_flag("--force", arguments->is_forced, "Replace the run that lies in the folder");
   command->add_flag("--no-video", arguments->no_video, "Draw no video");
-  command->add_flag("--no-plots", arguments->no_plots, "Draw no plots");
+  CLI::Option* plots =
+      command->add_option("--plots", arguments->plots, "When to draw plots: always, failed, never")
+          ->check(CLI::IsMember({"always", "failed", "never"}))
+          ->capture_default_str();
+  command
+      ->add_flag_callback(
+          "--no-plots", [arguments] { arguments->plots = "never"; }, "As --plots never")
+      ->excludes(plots);
   command->add_flag("--dump-mpc", arguments->dump_mpc,
                     "Write every MPC problem as JSON into DIR/problems, not only failed ones");
   command->add_option("-j,--jobs", arguments->jobs, "Processes that draw the video")

@@ -15,7 +15,7 @@ std::string PassSummary() {
   summary.verdict = VerdictClass::kPass;
   summary.expectations = {{"fall", {}, {}, false, false, true},
                           {"max_step_adjustment_m", 0.01, {}, {}, 0.04321, true}};
-  summary.real_time_factor = 1.5;
+  summary.cpu_real_time_factor = 1.5;
   return SummaryJson(summary);
 }
 

@@ -111,13 +111,13 @@ TEST(ForkEpisodeTest, AForksControllerReportsToTheForksTimer) {
         return std::make_unique<TimedController>(timer);
       });
   RunEpisode(&original, {}, kFork);
-  EXPECT_GT(original.timer->Spent_ms(Stage::kMpc), 0.0);
+  EXPECT_GT(original.timer->Spent(Stage::kMpc).wall_ms, 0.0);
   original.timer->Reset();
   Episode fork = Fork(original);
-  EXPECT_EQ(fork.timer->Spent_ms(Stage::kMpc), 0.0);
+  EXPECT_EQ(fork.timer->Spent(Stage::kMpc).wall_ms, 0.0);
   RunEpisode(&fork, {}, kFork + 10);
-  EXPECT_GT(fork.timer->Spent_ms(Stage::kMpc), 0.0);
-  EXPECT_EQ(original.timer->Spent_ms(Stage::kMpc), 0.0);
+  EXPECT_GT(fork.timer->Spent(Stage::kMpc).wall_ms, 0.0);
+  EXPECT_EQ(original.timer->Spent(Stage::kMpc).wall_ms, 0.0);
 }
 
 }  // namespace

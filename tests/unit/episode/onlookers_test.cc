@@ -40,7 +40,7 @@ TEST(OnlookersTest, EachMayBeAbsentAndNoneDisturbsTheRun) {
   Episode recorded = start();
   Recorder recorder(scenario, *recorded.world, folder.path() / "run", {});
   EXPECT_EQ(BitsUnder({&recorder, nullptr, {}}, std::move(recorded)), alone);
-  recorder.Finish({}, kDuration_s, 0.0);
+  recorder.Finish({}, kDuration_s, {});
   EXPECT_EQ(NumLines(folder.path() / "run/trajectory.csv"), 1u + 126u) << "0, 2 ... 250 ms";
   ProblemDump dump(folder.path() / "dump", true);
   EXPECT_EQ(BitsUnder({nullptr, &dump, {}}, start()), alone);

@@ -26,6 +26,26 @@ TEST(MapPageTest, HasFiguresPicturesAndASheetACell) {
   EXPECT_FALSE(Has(page, "http")) << "it needs no network";
 }
 
+TEST(MapPageTest, TheFirstControllerIsComparedWithEveryOther) {
+  const std::string page =
+      MapPage(ParseMap(kHeader + MadeRay(0, "ours", "0", 3) + MadeRay(1, "ours", "1", 3) +
+                           MadeRay(2, "fixed", "0", 1) + MadeRay(3, "fixed", "1", 1) +
+                           MadeRay(4, "paper", "0", 3) + MadeRay(5, "paper", "1", 2),
+                       "m", "f"),
+              {});
+  EXPECT_TRUE(Has(page, "ours less fixed"));
+  EXPECT_TRUE(Has(page, "ours less paper"));
+}
+
+TEST(MapPageTest, ADifferenceOfRoundingIsNone) {
+  const std::string rows =
+      MadeRow(0, "a", "0", "0.30000000000000004", "RECOVERED") + MadeRow(0, "a", "0", "1", "LOST") +
+      MadeRow(1, "b", "0", "0.3", "RECOVERED") + MadeRow(1, "b", "0", "1", "LOST");
+  const std::string svg =
+      SvgFile(DifferencePicture(ParseMap(kHeader + rows, "m", "f"), 1), "difference");
+  EXPECT_TRUE(Has(svg, "(0)")) << svg;
+}
+
 TEST(MapPageTest, HostileNamesStayText) {
   SweepMap map = ParseMap(std::string(kHeader) + MadeRay(0, "<b>&", "0", 1, "\"><script>") +
                               MadeRay(1, "<b>&", "1", 2, "\"><script>"),

@@ -49,7 +49,7 @@ const std::filesystem::path& PlottedRun() {
   static const std::filesystem::path kDir = [] {
     auto dir = FreshTestDir("plots");
     WriteSyntheticRun(dir, {.name = "it's_a_toy", .duration_s = 2.0, .push_start_s = 0.5});
-    PlotRun(dir);
+    PlotRun(dir, PlotFiles::kSvgAndPng);
     return dir;
   }();
   return kDir;

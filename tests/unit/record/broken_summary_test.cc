@@ -31,7 +31,8 @@ std::string WholeText() {
   outcome.mass_kg = 2.0;
   outcome.pushes = {{scenario.pushes[0], {0.0, 3.0, 4.0}}};
   outcome.joints = {{{"knee"}, 12.5}};
-  return SummaryJson(MakeSummary(scenario, outcome, {{"sidestep"}, {3.0}, {1.0}, 3.0, 1.5}));
+  return SummaryJson(
+      MakeSummary(scenario, outcome, {{"sidestep"}, {{3.0, 1.5}}, {{1.0, 0.5}}, 3.0, {1.5, 1.5}}));
 }
 
 /// The whole text with one piece of it replaced.

@@ -114,8 +114,8 @@ TEST(MakeSummaryTest, RunWithoutASolveHasNoTimes) {
 
 TEST(MakeSummaryTest, WholeBodyTimesStandBesideTheMpcs) {
   RunFacts facts;
-  facts.solve_ms = {30.0, 50.0};
-  facts.whole_body_ms = {1.0, 2.0, 6.0};
+  facts.solves = {{30.0, 3.0}, {50.0, 5.0}};
+  facts.whole_body = {{1.0, 0.5}, {2.0, 1.0}, {6.0, 1.5}};
   const nlohmann::json summary = Summary({}, facts);
   EXPECT_EQ(summary.at("solve_time_ms").at("mean"), 40.0);
   const nlohmann::json& times = summary.at("whole_body_time_ms");
@@ -125,6 +125,9 @@ TEST(MakeSummaryTest, WholeBodyTimesStandBesideTheMpcs) {
   EXPECT_EQ(times.at("max"), 6.0);
   EXPECT_EQ(times.at("deadline"), 2.0) << "500 control ticks a second";
   EXPECT_EQ(times.at("misses"), 1);
+  EXPECT_EQ(summary.at("solve_cpu_ms").at("mean"), 4.0);
+  EXPECT_EQ(summary.at("whole_body_cpu_ms").at("mean"), 1.0);
+  EXPECT_EQ(summary.at("whole_body_cpu_ms").at("misses"), 0) << "the machine was busy";
 }
 
 TEST(MakeSummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
@@ -141,9 +144,11 @@ TEST(MakeSummaryTest, JointsTellTheirPeaksBesideTheirLimits) {
 }
 
 TEST(MakeSummaryTest, TellsHowTheRunWasMade) {
-  const nlohmann::json summary = Summary({}, {{"sidestep", "run", "a\xff.yaml"}, {}, {}, 3.0, 1.5});
+  const nlohmann::json summary =
+      Summary({}, {{"sidestep", "run", "a\xff.yaml"}, {}, {}, 3.0, {1.5, 0.5}});
   EXPECT_EQ(summary.at("command")[1], "run");
   EXPECT_EQ(summary.at("real_time_factor"), 2.0);
+  EXPECT_EQ(summary.at("cpu_real_time_factor"), 6.0);
   EXPECT_EQ(summary.at("seed"), 1);
   EXPECT_EQ(summary.at("sidestep"), summary.at("versions").at("sidestep"));
   for (const char* name : {"mujoco", "ipopt", "eigen", "compiler"}) {

@@ -40,6 +40,12 @@ inline Scenario TwoFeetScenario() {
   return scenario;
 }
 
+/// Times on the wall; half as much of the processor.
+inline TickTimes TimesOf(double control_ms, double mpc_ms, double whole_body_ms) {
+  return {
+      {control_ms, 0.5 * control_ms}, {mpc_ms, 0.5 * mpc_ms}, {whole_body_ms, 0.5 * whole_body_ms}};
+}
+
 /// A world whose truth a test writes by hand.
 class ScriptedWorld final : public World {
  public:

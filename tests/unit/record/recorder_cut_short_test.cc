@@ -22,7 +22,7 @@ TEST_F(RecorderCutShortTest, FilesOnDiskEndWithWholeRowsWhileTheRunGoesOn) {
   Recorder recorder(scenario, world, folder_, {});
   // 1,000 rows exceed every buffer.
   for (Tick tick = 0; tick < 2000; tick += 2) {
-    recorder.Add(tick, world.truth(), BusyControl(tick), {1.0, 1.0, 0.125});
+    recorder.Add(tick, world.truth(), BusyControl(tick), TimesOf(1.0, 1.0, 0.125));
   }
   const std::string text = ReadWholeFile(folder_ / "trajectory.csv");
   EXPECT_EQ(text.back(), '\n');
@@ -37,7 +37,7 @@ TEST_F(RecorderCutShortTest, RunThatIsAbandonedKeepsEveryRow) {
   {
     Recorder recorder(scenario, world, folder_, {});
     for (Tick tick = 0; tick < 20; tick += 2) {
-      recorder.Add(tick, world.truth(), BusyControl(tick), {1.0, 1.0, 0.125});
+      recorder.Add(tick, world.truth(), BusyControl(tick), TimesOf(1.0, 1.0, 0.125));
     }
   }
   EXPECT_EQ(CsvTable::Read(folder_ / "trajectory.csv").num_rows(), 10u);
@@ -50,7 +50,7 @@ TEST_F(RecorderCutShortTest, OlderSummaryDoesNotOutliveTheStartOfANewRun) {
   const ScriptedWorld world(scenario);
   RunOutcome outcome;
   outcome.footsteps.resize(1);
-  Recorder(scenario, world, folder_, {}).Finish(outcome, 1.0, 1.0);
+  Recorder(scenario, world, folder_, {}).Finish(outcome, 1.0, {1.0, 1.0});
   ASSERT_EQ(ReadSummary(folder_).verdict, VerdictClass::kPass);
   const Recorder recorder(scenario, world, folder_, {});
   const RunSummary summary = ReadSummary(folder_);
@@ -63,7 +63,7 @@ TEST_F(RecorderCutShortTest, OlderSummaryDoesNotOutliveTheStartOfANewRun) {
 TEST_F(RecorderCutShortTest, NoTemporaryFileIsLeft) {
   const Scenario scenario = TwoFeetScenario();
   const ScriptedWorld world(scenario);
-  Recorder(scenario, world, folder_, {}).Finish({}, 1.0, 1.0);
+  Recorder(scenario, world, folder_, {}).Finish({}, 1.0, {1.0, 1.0});
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     names.push_back(entry.path().filename());
@@ -87,7 +87,7 @@ TEST_F(RecorderCutShortTest, FullDiskIsReported) {
   std::filesystem::create_directories(folder_);
   std::filesystem::create_symlink("/dev/full", folder_ / "mpc.csv");
   Recorder recorder(scenario, world, folder_, {});
-  EXPECT_THROW(recorder.Finish({}, 1.0, 1.0), ConfigError);
+  EXPECT_THROW(recorder.Finish({}, 1.0, {1.0, 1.0}), ConfigError);
 }
 
 }  // namespace

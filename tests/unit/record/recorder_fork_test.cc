@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr WallTimes kWall{1.5, 1.0, 0.25};
+const TickTimes kTimes = TimesOf(1.5, 1.0, 0.25);
 constexpr Tick kLong = 2000;  // 1,000 rows exceed every buffer
 const std::vector<std::string> kFiles{"scenario.yaml", "trajectory.csv", "states.bin",
                                       "mpc.csv",       "footsteps.csv",  "summary.json"};
@@ -28,13 +28,13 @@ class RecorderForkTest : public RecordTest {
   void AddRows(Recorder* recorder, Tick begin, Tick end, double lean = 0.0) {
     for (Tick tick = begin; tick < end; tick += 2) {
       world_.written.p_WC = {static_cast<double>(tick) / 3.0, lean, 0.5};
-      recorder->Add(tick, world_.truth(), BusyControl(tick), kWall);
+      recorder->Add(tick, world_.truth(), BusyControl(tick), kTimes);
     }
   }
   void Finish(Recorder* recorder, double lean = 0.0) {
     RunOutcome outcome;
     outcome.metrics = {{"energy_J", 1.0 + lean}};
-    recorder->Finish(outcome, 4.0, 2.0);
+    recorder->Finish(outcome, 4.0, {2.0, 1.0});
   }
   std::unique_ptr<Recorder> Start(const fs::path& run_dir) {
     return std::make_unique<Recorder>(scenario_, world_, run_dir,

@@ -26,9 +26,9 @@ TEST_F(RecorderTest, RowsReadBackBitForBit) {
   world.written.pushes[0].force_W_N = {1.0, 2.0, 3.0};
   world.written.pushes[1].force_W_N = {10.0, 20.0, 30.0};
   Recorder recorder(scenario, world, folder_, {"sidestep", "run"});
-  recorder.Add(0, world.truth(), BusyControl(0), {1.25, 1.0, 0.125});
-  recorder.Add(2, world.truth(), BusyControl(2), {0.25, 0.75, 0.125});
-  recorder.Finish({}, 0.004, 0.1);
+  recorder.Add(0, world.truth(), BusyControl(0), TimesOf(1.25, 1.0, 0.125));
+  recorder.Add(2, world.truth(), BusyControl(2), TimesOf(0.25, 0.75, 0.125));
+  recorder.Finish({}, 0.004, {0.1, 0.1});
 
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   ASSERT_EQ(table.num_rows(), 2u);
@@ -70,9 +70,9 @@ TEST_F(RecorderTest, AControllerThatOnlyCommandsLeavesBeliefAndPlanEmpty) {
   Recorder recorder(scenario, world, folder_, {});
   ControlTick silent;
   silent.command.torque_Nm.setZero(world.truth().joint_position.size());
-  recorder.Add(0, world.truth(), silent, {1.0, 0.0, 0.0});
-  recorder.Add(2, world.truth(), BusyControl(2), {1.0, 1.0, 0.125});
-  recorder.Finish({}, 0.004, 0.1);
+  recorder.Add(0, world.truth(), silent, TimesOf(1.0, 0.0, 0.0));
+  recorder.Add(2, world.truth(), BusyControl(2), TimesOf(1.0, 1.0, 0.125));
+  recorder.Finish({}, 0.004, {0.1, 0.1});
 
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   for (const std::string& column : table.header()) {
@@ -94,9 +94,9 @@ TEST_F(RecorderTest, StatesHoldTheStrongestPushAndThePlan) {
   world.written.pushes[1] = {{8.0, 0.0, 0.0}, {2.0, 2.0, 2.0}};
   world.written.feet[0].p_WF = {0.5, 0.6, 0.7};
   Recorder recorder(scenario, world, folder_, {});
-  recorder.Add(0, world.truth(), BusyControl(0), {1.0, 1.0, 0.125});
-  recorder.Add(2, world.truth(), ControlTick{}, {1.0, 0.0, 0.125});
-  recorder.Finish({}, 0.004, 0.1);
+  recorder.Add(0, world.truth(), BusyControl(0), TimesOf(1.0, 1.0, 0.125));
+  recorder.Add(2, world.truth(), ControlTick{}, TimesOf(1.0, 0.0, 0.125));
+  recorder.Finish({}, 0.004, {0.1, 0.1});
 
   const StateLog log = ReadStates(folder_);
   EXPECT_EQ(log.nq, 21);
@@ -116,11 +116,11 @@ TEST_F(RecorderTest, SolvesHaveARowEachAndOtherTicksHaveNone) {
   const Scenario scenario = TwoFeetScenario();
   const ScriptedWorld world(scenario);
   Recorder recorder(scenario, world, folder_, {});
-  recorder.Add(0, world.truth(), BusyControl(0), {3.0, 2.5, 0.125});
+  recorder.Add(0, world.truth(), BusyControl(0), TimesOf(3.0, 2.5, 0.125));
   ControlTick quiet = BusyControl(2);
   quiet.mpc.ran = false;
-  recorder.Add(2, world.truth(), quiet, {0.5, 0.0, 0.125});
-  recorder.Finish({}, 0.004, 0.1);
+  recorder.Add(2, world.truth(), quiet, TimesOf(0.5, 0.0, 0.125));
+  recorder.Finish({}, 0.004, {0.1, 0.1});
 
   const CsvTable table = CsvTable::Read(folder_ / "mpc.csv");
   ASSERT_EQ(table.num_rows(), 1u);
@@ -128,10 +128,13 @@ TEST_F(RecorderTest, SolvesHaveARowEachAndOtherTicksHaveNone) {
   EXPECT_EQ(table.Numbers("iterations")[0], 17.0);
   EXPECT_EQ(table.Numbers("kkt_error")[0], 2e-7);
   EXPECT_EQ(table.Numbers("wall_ms")[0], 2.5);
+  EXPECT_EQ(table.Numbers("cpu_ms")[0], 1.25);
   const RunSummary summary = ReadSummary(folder_);
   EXPECT_EQ(summary.solve_time.count, 1);
   EXPECT_EQ(summary.whole_body_time.count, 2);
   EXPECT_EQ(summary.whole_body_time.mean_ms, 0.125);
+  EXPECT_EQ(summary.solve_cpu.mean_ms, 1.25);
+  EXPECT_EQ(summary.whole_body_cpu.mean_ms, 0.0625);
 }
 
 TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
@@ -150,7 +153,7 @@ TEST_F(RecorderTest, FootstepsReadBackWithEmptyPlacesForThoseThatNeverLanded) {
   contact.R_WF = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
   outcome.footsteps = {{1, contact, true, Eigen::Vector3d(7.0, 8.0, 9.0), 0.01},
                        {0, contact, false, {}, 0.0}};
-  recorder.Finish(outcome, 0.004, 0.1);
+  recorder.Finish(outcome, 0.004, {0.1, 0.1});
 
   const std::vector<Footstep> steps = ReadFootsteps(folder_);
   ASSERT_EQ(steps.size(), 2u);
@@ -173,8 +176,8 @@ TEST_F(RecorderTest, SlidingJointsAreInNewtonsAndMetres) {
   Recorder recorder(scenario, world, folder_, {});
   ControlTick control = BusyControl(0);
   control.command.torque_Nm = Eigen::Vector3d(1.0, 2.0, 3.0);
-  recorder.Add(0, world.truth(), control, {1.0, 0.0, 0.125});
-  recorder.Finish({}, 0.002, 0.1);
+  recorder.Add(0, world.truth(), control, TimesOf(1.0, 0.0, 0.125));
+  recorder.Finish({}, 0.002, {0.1, 0.1});
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   EXPECT_EQ(table.Numbers("command_hip_pitch_Nm")[0], 2.0);
   EXPECT_EQ(table.Numbers("command_leg_N")[0], 3.0);
@@ -190,7 +193,7 @@ TEST_F(RecorderTest, PushHasItsMomentAboutTheCom) {
   world.written.pushes[1] = {{0.0, 0.0, 5.0}, {0.0, 0.2, 0.5}};
   Recorder recorder(scenario, world, folder_, {});
   recorder.Add(0, world.truth(), ControlTick{}, {});
-  recorder.Finish({}, 0.002, 0.1);
+  recorder.Finish({}, 0.002, {0.1, 0.1});
   // By hand: (0, 0, 0.4) x (0, 10, 0) + (0, 0.2, 0) x (0, 0, 5).
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   EXPECT_NEAR(table.Numbers("push_torque_C_W_x_Nm")[0], -4.0 + 1.0, 1e-12);
@@ -207,7 +210,7 @@ TEST_F(RecorderTest, PositionControlTellsReferencesAndTheMotorsTorques) {
   control.command.joint_velocity = Eigen::Vector2d(0.3, 0.4);
   recorder.Add(0, world.truth(), control, {});
   recorder.Add(2, world.truth(), ControlTick{}, {});
-  recorder.Finish({}, 0.002, 0.1);
+  recorder.Finish({}, 0.002, {0.1, 0.1});
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   EXPECT_EQ(table.Numbers("command_hip_rad")[0], 0.1);
   EXPECT_EQ(table.Numbers("command_hip_radps")[0], 0.3);
@@ -223,8 +226,8 @@ TEST_F(RecorderTest, WhatTheControllerDoesNotSayIsAnEmptyCell) {
   const Scenario scenario = TwoFeetScenario();
   const ScriptedWorld world(scenario);
   Recorder recorder(scenario, world, folder_, {});
-  recorder.Add(0, world.truth(), ControlTick{}, {1.0, 0.0, 0.125});
-  recorder.Finish({}, 0.002, 0.1);
+  recorder.Add(0, world.truth(), ControlTick{}, TimesOf(1.0, 0.0, 0.125));
+  recorder.Finish({}, 0.002, {0.1, 0.1});
   const CsvTable table = CsvTable::Read(folder_ / "trajectory.csv");
   ASSERT_EQ(table.num_rows(), 1u);
   EXPECT_EQ(table.Text(0, "planned_contact_left"), "");

@@ -48,7 +48,11 @@ RunSummary FailedRun() {
   outcome.gaits[0].gait.type = GaitType::kHop;
   outcome.gaits[0].figures = {3, 0.25, 1.25, 0.5, 0.35, 2.5, 0.45, 0.15, 0.65, 1.75};
   return MakeSummary(scenario, outcome,
-                     {{"sidestep", "run", "a.yaml"}, {30.0, 120.0}, {1.0, 2.0, 6.0}, 3.0, 1.7});
+                     {{"sidestep", "run", "a.yaml"},
+                      {{30.0, 15.0}, {120.0, 60.0}},
+                      {{1.0, 0.5}, {2.0, 1.0}, {6.0, 3.0}},
+                      3.0,
+                      {1.7, 0.75}});
 }
 
 RunSummary EmptyRun(VerdictClass verdict) {
@@ -191,7 +195,25 @@ constexpr const char* kPass = R"({
     "misses": 0,
     "count": 10
   },
+  "solve_cpu_ms": {
+    "mean": 3.0,
+    "p50": 2.5,
+    "p99": 4.5,
+    "max": 4.75,
+    "deadline": 50.0,
+    "misses": 0,
+    "count": 10
+  },
   "whole_body_time_ms": {
+    "mean": null,
+    "p50": null,
+    "p99": null,
+    "max": null,
+    "deadline": 2.0,
+    "misses": 0,
+    "count": 0
+  },
+  "whole_body_cpu_ms": {
     "mean": null,
     "p50": null,
     "p99": null,
@@ -211,7 +233,9 @@ constexpr const char* kPass = R"({
   ],
   "simulated_s": 2.0,
   "wall_s": 0.5,
-  "real_time_factor": 4.0
+  "cpu_s": 0.25,
+  "real_time_factor": 4.0,
+  "cpu_real_time_factor": 8.0
 }
 )";
 
@@ -224,7 +248,10 @@ TEST(RunSummaryTest, KeysAndTheirOrderAreThoseOfTheFile) { EXPECT_EQ(WrittenAgai
 
 TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   std::string old = Without(kPass, "  \"joints\"", "  \"solve_time_ms\"");
-  old = Without(old, "  \"whole_body_time_ms\"", "  \"versions\"");
+  old = Without(old, "  \"solve_cpu_ms\"", "  \"versions\"");
+
+  old = Without(old, "  \"cpu_s\"", "  \"real_time_factor\"");
+  old = Without(old, ",\n  \"cpu_real_time_factor\"", "\n}");
   old = Without(old, "    \"mean\"", "    \"p50\"");
   old = Without(old, ",\n      \"recovered\"", "\n    }\n  ],\n  \"solve_time_ms\"");
   const RunSummary read = Read(old);
@@ -238,6 +265,7 @@ TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   EXPECT_TRUE(std::isnan(read.solve_time.mean_ms));
   EXPECT_EQ(read.solve_time.p50_ms, 5.0);
   EXPECT_EQ(read.real_time_factor, 4.0);
+  EXPECT_TRUE(std::isnan(read.cpu_s));
 }
 
 TEST(RunSummaryTest, FilesOfTheFutureAreReadWithoutWhatIsUnknown) {
