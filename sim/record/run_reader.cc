@@ -4,12 +4,15 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "models/support/config_error.h"
+#include "models/support/json_text.h"
 
 namespace sidestep {
 namespace {
@@ -19,6 +22,12 @@ static_assert(std::endian::native == std::endian::little, "states.bin is little-
 constexpr std::string_view kStatesMagic = "sidestep-states 1";
 constexpr int kFootDoubles = 12;  ///< Force, point, nominal and adjusted contact.
 constexpr int kPushDoubles = 6;   ///< Force and point.
+
+// Far beyond any robot; a header that says more is hostile or broken.
+constexpr int kMostCoordinates = 10000;
+constexpr std::size_t kMostFeet = 64;
+constexpr double kShortestPeriod_s = 1e-6;
+constexpr double kLongestPeriod_s = 10.0;
 
 [[noreturn]] void Fail(const std::filesystem::path& file, const std::string& what) {
   throw ConfigError(file.string() + ": error: " + what);
@@ -31,24 +40,45 @@ StateLog ReadStatesHeader(const std::filesystem::path& file, std::istream& in) {
   std::getline(in, magic);
   std::getline(in, line);
   if (magic != kStatesMagic) Fail(file, "is not a states.bin of version 1");
+  const auto header = ParseJson<nlohmann::json>(line, file.string());
+  const auto whole = [&](const char* key, int most) {
+    const auto found = header.find(key);
+    const bool is_whole = found != header.end() && found->is_number_integer();
+    const auto value = is_whole ? found->get<std::int64_t>() : -1;
+    if (value >= 0 && value <= most) return static_cast<int>(value);
+    Fail(file, std::string("its header's ") + key + " must be a whole number from 0 to " +
+                   std::to_string(most));
+  };
   StateLog log;
-  int row_doubles = 0;
+  log.nq = whole("nq", kMostCoordinates);
   try {
-    const nlohmann::json header = nlohmann::json::parse(line);
-    log.nq = header.at("nq").get<int>();
     log.feet = header.at("feet").get<std::vector<std::string>>();
     log.dt_s = header.at("dt_s").get<double>();
-    row_doubles = header.at("row_doubles").get<int>();
   } catch (const nlohmann::json::exception& failure) {
     Fail(file, std::string("its header can't be read: ") + failure.what());
   }
+  if (log.feet.size() > kMostFeet) {
+    Fail(file, "its header has more than " + std::to_string(kMostFeet) + " feet");
+  }
   const int expected = 1 + log.nq + kPushDoubles + kFootDoubles * static_cast<int>(log.feet.size());
-  if (log.nq < 0 || row_doubles != expected) {
+  const int row_doubles = whole("row_doubles", std::numeric_limits<int>::max());
+  if (row_doubles != expected) {
     Fail(file, "its header says row_doubles = " + std::to_string(row_doubles) + ", expected " +
                    std::to_string(expected));
   }
-  if (!(log.dt_s > 0.0)) Fail(file, "its header says dt_s is not positive");
+  if (!(log.dt_s >= kShortestPeriod_s && log.dt_s <= kLongestPeriod_s)) {
+    Fail(file, "its header's dt_s must be from 1e-6 to 10 s");
+  }
   return log;
+}
+
+// Readers find rows by their time.
+void RequireSteadyTime(const std::filesystem::path& file, const StateLog& log) {
+  const std::size_t row = log.rows.size() - 1;
+  const double expected_s = log.rows.front().time_s + log.dt_s * static_cast<double>(row);
+  if (std::abs(log.rows.back().time_s - expected_s) < 0.5 * log.dt_s) return;
+  Fail(file, "its row " + std::to_string(row) + " is of another time than " +
+                 std::to_string(expected_s) + " s");
 }
 
 StateRow ParseStateRow(const std::vector<double>& numbers, int nq, std::size_t num_feet) {
@@ -87,6 +117,7 @@ StateLog ReadStates(const std::filesystem::path& run_dir) {
   while (in.read(bytes.data(), row_bytes)) {
     std::memcpy(numbers.data(), bytes.data(), bytes.size());
     log.rows.push_back(ParseStateRow(numbers, log.nq, num_feet));
+    RequireSteadyTime(file, log);
   }
   if (log.rows.empty()) Fail(file, "holds no state");
   return log;

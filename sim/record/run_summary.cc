@@ -6,15 +6,13 @@
 #include <type_traits>
 
 #include "models/support/config_error.h"
+#include "models/support/json_text.h"
 #include "sim/record/run_reader.h"
 
 namespace sidestep {
 namespace {
 
 using Json = nlohmann::ordered_json;  // keeps the order of the keys
-
-// Object, list of pushes, push and its value make four; a hostile file may nest by the thousand.
-constexpr int kDeepest = 8;
 
 using VersionList = std::vector<std::pair<std::string, std::string>>;
 
@@ -211,28 +209,6 @@ void FromJson(const Node& node, T* value) {
   }
 }
 
-[[noreturn]] void FailAt(const std::string& text, std::size_t byte, const std::string& file) {
-  const std::string before = text.substr(0, byte == 0 ? 0 : byte - 1);
-  const auto line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  throw ConfigError(file, line, static_cast<int>(before.size() - line_start) + 1,
-                    "the JSON breaks off here");
-}
-
-Json Parsed(const std::string& text, const std::string& file) {
-  const auto is_shallow = [&](int depth, Json::parse_event_t, const Json&) {
-    if (depth <= kDeepest) return true;
-    throw ConfigError(file + ": error: is nested deeper than a summary");
-  };
-  try {
-    return Json::parse(text, is_shallow);
-  } catch (const Json::parse_error& broken) {
-    FailAt(text, broken.byte, file);
-  } catch (const Json::exception&) {
-    throw ConfigError(file + ": error: holds a number beyond the range of a double");
-  }
-}
-
 }  // namespace
 
 std::string SummaryJson(const RunSummary& summary) {
@@ -240,7 +216,7 @@ std::string SummaryJson(const RunSummary& summary) {
 }
 
 RunSummary ParseSummary(const std::string& text, const std::filesystem::path& file) {
-  const Json document = Parsed(text, file.string());
+  const Json document = ParseJson<Json>(text, file.string());
   RunSummary summary;
   FromJson(Node{document, "", file}, &summary);
   return summary;

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +12,7 @@
 #include "controller/mpc/problem/ocp_json.h"
 #include "controller/types/mpc_params.h"
 #include "models/support/config_error.h"
+#include "models/support/json_text.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
@@ -31,17 +31,9 @@ struct SolveArguments {
 };
 
 Json ReadProblem(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) {
-    throw ConfigError(file.string() + ": error: can't be read");
-  }
-  try {
-    Json problem = Json::parse(in);
-    if (!problem.is_object()) throw ConfigError(file.string() + ": error: is not a JSON object");
-    return problem;
-  } catch (const Json::parse_error& error) {
-    throw ConfigError(file.string() + ": error: is not JSON: " + error.what());
-  }
+  Json problem = ReadJsonFile<Json>(file);
+  if (!problem.is_object()) throw ConfigError(file.string() + ": error: is not a JSON object");
+  return problem;
 }
 
 mpc::CentroidalOcp OcpOf(Json problem, const std::filesystem::path& file) {

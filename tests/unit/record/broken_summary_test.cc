@@ -110,7 +110,7 @@ TEST(BrokenSummaryTest, DeepNestingEndsInALineNotInACrash) {
   std::string objects;
   for (int i = 0; i < kDepth; ++i) objects += "{\"a\":";
   const std::string closed = lists + std::string(kDepth, ']');
-  const std::string error = "run/summary.json: error: is nested deeper than a summary";
+  const std::string error = "run/summary.json: error: is nested deeper than 32";
   EXPECT_EQ(ErrorOf(lists), error);
   EXPECT_EQ(ErrorOf(objects), error);
   EXPECT_EQ(ErrorOf(closed), error);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "models/support/config_error.h"
 #include "tests/support/synthetic_run.h"
@@ -99,7 +101,8 @@ TEST(RunReaderTest, StatesThatAreNoneAreRefusedWithTheReason) {
   };
   const std::string name = (dir / "states.bin").string() + ": error: ";
   EXPECT_EQ(error_for("sidestep-states 2\n"), name + "is not a states.bin of version 1");
-  EXPECT_NE(error_for("sidestep-states 1\nnq\n").find("header can't be read"), std::string::npos);
+  EXPECT_EQ(error_for("sidestep-states 1\nnq\n"),
+            (dir / "states.bin").string() + ":1:2: error: the JSON breaks off here");
   EXPECT_EQ(error_for("sidestep-states 1\n"
                       R"({"nq": 3, "feet": ["f"], "row_doubles": 9, "dt_s": 0.1})"
                       "\n"),
@@ -108,6 +111,38 @@ TEST(RunReaderTest, StatesThatAreNoneAreRefusedWithTheReason) {
                       R"({"nq": 3, "feet": ["f"], "row_doubles": 22, "dt_s": 0.1})"
                       "\nabc"),
             name + "holds no state");
+}
+
+TEST(RunReaderTest, StatesThatWouldAskForTheImpossibleAreRefused) {
+  const auto dir = FreshTestDir("states_hostile");
+  const auto error_for = [&](const std::string& header, double time_s = 0.0) {
+    std::ofstream out(dir / "states.bin", std::ios::binary);
+    out << "sidestep-states 1\n" << header << "\n";
+    std::vector<double> row(22, 0.0);
+    row[0] = time_s;
+    for (int i = 0; i < 2; ++i) {
+      out.write(reinterpret_cast<const char*>(row.data()), 22 * sizeof(double));
+    }
+    out.close();
+    return ErrorOf([&] { ReadStates(dir); });
+  };
+  const auto header = [](const std::string& nq, const std::string& row, const std::string& dt) {
+    return "{\"nq\": " + nq + R"(, "feet": ["f"], "row_doubles": )" + row + ", \"dt_s\": " + dt +
+           "}";
+  };
+  const std::string name = (dir / "states.bin").string() + ": error: ";
+  const std::string nq = name + "its header's nq must be a whole number from 0 to 10000";
+  EXPECT_EQ(error_for(header("2147483600", "2147483619", "0.1")), nq) << "34 GB";
+  EXPECT_EQ(error_for(header("2147483647", "-2147483630", "0.1")), nq) << "overflows";
+  EXPECT_EQ(error_for(header("1e10", "22", "0.1")), nq);
+  EXPECT_EQ(error_for(header("3", "22", "1e-300")),
+            name + "its header's dt_s must be from 1e-6 to 10 s");
+  EXPECT_EQ(error_for(header("3", "22", "0.1"), std::nan("")),
+            name + "its row 0 is of another time than nan s");
+  EXPECT_EQ(error_for(header("3", "22", "0.1")),
+            name + "its row 1 is of another time than 0.100000 s");
+  EXPECT_EQ(error_for(std::string(200000, '[') + std::string(200000, ']')),
+            name + "is nested deeper than 32");
 }
 
 TEST(RunReaderTest, FootstepsKeepTheirOrderAndAnUnlandedOneHasNoPlace) {

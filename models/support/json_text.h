@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// json_text: JSON from a file that may be anything, with bounds on what is taken.
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "models/support/config_error.h"
+
+namespace sidestep {
+
+inline constexpr std::size_t kMostJsonBytes = std::size_t{16} << 20;
+
+/// Deeper than anything that this program writes.
+inline constexpr int kDeepestJson = 32;
+
+/// Parses a whole JSON text.
+///
+/// @tparam Json  nlohmann::json or ordered_json.
+/// @param file   Its name, for the errors.
+/// @throws ConfigError of one line, with line and column where the JSON breaks off, if `text` is
+/// not
+///         JSON, is larger than kMostJsonBytes, is nested deeper than kDeepestJson or has a number
+///         beyond the range of a double.
+template <typename Json>
+Json ParseJson(const std::string& text, const std::string& file) {
+  if (text.size() > kMostJsonBytes) {
+    throw ConfigError(file + ": error: is larger than " + std::to_string(kMostJsonBytes >> 20) +
+                      " MiB");
+  }
+  const auto is_shallow = [&](int depth, typename Json::parse_event_t event, const Json&) {
+    using Event = typename Json::parse_event_t;
+    const bool begins = event == Event::array_start || event == Event::object_start;
+    if (!begins || depth < kDeepestJson) return true;
+    throw ConfigError(file + ": error: is nested deeper than " + std::to_string(kDeepestJson));
+  };
+  try {
+    return Json::parse(text, is_shallow);
+  } catch (const typename Json::parse_error& broken) {
+    const std::string before = text.substr(0, broken.byte == 0 ? 0 : broken.byte - 1);
+    const auto line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    throw ConfigError(file, line, static_cast<int>(before.size() - line_start) + 1,
+                      "the JSON breaks off here");
+  } catch (const typename Json::exception&) {
+    throw ConfigError(file + ": error: holds a number beyond the range of a double");
+  }
+}
+
+/// Reads and parses a file. @throws ConfigError also if it can't be read.
+template <typename Json>
+Json ReadJsonFile(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) {
+    throw ConfigError(file.string() + ": error: can't be read");
+  }
+  std::string text;
+  for (char block[4096];
+       text.size() <= kMostJsonBytes && in.read(block, sizeof block).gcount() > 0;) {
+    text.append(block, static_cast<std::size_t>(in.gcount()));
+  }
+  return ParseJson<Json>(text, file.string());
+}
+
+}  // namespace sidestep
