@@ -7,6 +7,7 @@
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
 #include "sim/process/gnuplot.h"
+#include "sim/record/run_files.h"
 
 namespace sidestep {
 namespace {
@@ -16,6 +17,17 @@ void WriteText(const std::filesystem::path& file, const std::string& text) {
   out << text;
   out.close();
   if (!out) throw ConfigError(file.string() + ": error: can't be written");
+}
+
+std::vector<std::string> FilesOf(PlotFiles files) {
+  std::vector<std::string> names{std::string("plots/") + plot::kThinnedFile,
+                                 std::string("plots/") + plot::kPhaseFile};
+  for (const std::string& name : PlotNames()) {
+    names.push_back("plots/" + name + ".gp");
+    names.push_back("plots/" + name + ".svg");
+    if (files == PlotFiles::kSvgAndPng) names.push_back("plots/" + name + ".png");
+  }
+  return names;
 }
 
 }  // namespace
@@ -35,6 +47,7 @@ void PlotRun(const std::filesystem::path& run_dir, PlotFiles files) {
   std::error_code failure;
   std::filesystem::create_directories(dir, failure);
   if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
+  ListRunFiles(run_dir, FilesOf(files));
   WriteText(dir / plot::kThinnedFile, data.thinned_csv);
   WriteText(dir / plot::kPhaseFile, data.phase_csv);
   for (const plot::PlotScript& script : plot::AllScripts()) {

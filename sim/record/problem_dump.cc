@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "sim/record/output_file.h"
+#include "sim/record/run_files.h"
 
 namespace sidestep {
 namespace {
@@ -28,7 +29,10 @@ ProblemDump ProblemDump::ForkTo(const std::filesystem::path& run_dir) const {
   fork.num_failed_ = num_failed_;
   fork.written_ = written_;
   if (!written_.empty()) fork.MakeFolder();
-  for (const std::string& name : written_) CopyWholeFile(folder_ / name, fork.folder_ / name);
+  for (const std::string& name : written_) {
+    ListRunFiles(run_dir, {"problems/" + name});
+    CopyWholeFile(folder_ / name, fork.folder_ / name);
+  }
   return fork;
 }
 
@@ -41,6 +45,7 @@ void ProblemDump::Add(double time_s, bool failed, const ProblemText& problem_tex
   if (text.empty()) return;  // a controller that keeps its problems to itself
   MakeFolder();
   const std::string file = std::string(name) + ".json";
+  ListRunFiles(run_dir_, {"problems/" + file});
   WriteWholeFile(folder_ / file, text);
   written_.push_back(file);
 }

@@ -8,6 +8,7 @@
 #include "sim/record/footsteps_csv.h"
 #include "sim/record/make_summary.h"
 #include "sim/record/output_file.h"
+#include "sim/record/run_files.h"
 #include "sim/record/states_row.h"
 #include "sim/record/trajectory_table.h"
 #include "sim/scenario/write_scenario.h"
@@ -32,6 +33,8 @@ std::filesystem::path MakeFolder(const std::filesystem::path& run_dir) {
   std::error_code error;
   std::filesystem::create_directories(run_dir, error);
   if (error) throw ConfigError(run_dir.string() + ": error: can't be created");
+  ListRunFiles(run_dir, {"scenario.yaml", "trajectory.csv", "states.bin", "mpc.csv",
+                         "footsteps.csv", "summary.json"});
   return run_dir;
 }
 

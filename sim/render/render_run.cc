@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/render/render_run.h"
 
+#include "sim/record/run_files.h"
 #include "sim/render/recording.h"
 #include "sim/render/render_recording.h"
 #include "sim/scenario/read_scenario.h"
@@ -36,6 +37,7 @@ RenderOptions RenderOptionsOf(const std::filesystem::path& run_dir) {
 
 void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& options) {
   const LoadedRun run = Load(run_dir);
+  ListRunFiles(run_dir, {"video.mp4"});
   render::RenderVideo(run.recording, run.model.get(), options, run_dir / "video.mp4");
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "models/support/config_error.h"
+#include "sim/record/run_files.h"
 #include "sim/report/html.h"
 #include "sim/report/report_sections.h"
 #include "sim/report/report_style.h"
@@ -35,6 +36,9 @@ void WriteReport(const std::vector<std::filesystem::path>& run_dirs,
   for (std::size_t i = 0; i < runs.size(); ++i) page += report::RunSection(runs[i], i);
   page += "</main>\n</body>\n</html>\n";
 
+  if (out_html.parent_path() == run_dirs.front()) {
+    ListRunFiles(run_dirs.front(), {out_html.filename().string()});
+  }
   const std::filesystem::path partial = out_html.string() + ".partial";
   std::ofstream out(partial, std::ios::binary);
   out << page;

@@ -107,7 +107,7 @@ int Run(const RunArguments& arguments) {
   const fs::path out_dir =
       (arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir)
           .lexically_normal();
-  PrepareOutFolder(out_dir, arguments.is_forced);
+  const OutFolderLock lock = PrepareOutFolder(out_dir, arguments.is_forced);
   const RunResult result = Simulate(scenario, out_dir, arguments);
   PrintVerdict(scenario.name, result);
   Draw(scenario, out_dir, result.verdict.verdict_class == VerdictClass::kPass, arguments);

@@ -69,8 +69,9 @@ TEST_F(RecorderCutShortTest, NoTemporaryFileIsLeft) {
     names.push_back(entry.path().filename());
   }
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"footsteps.csv", "mpc.csv", "scenario.yaml",
-                                             "states.bin", "summary.json", "trajectory.csv"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"footsteps.csv", "mpc.csv", "run_files.txt", "scenario.yaml",
+                                      "states.bin", "summary.json", "trajectory.csv"}));
 }
 
 TEST_F(RecorderCutShortTest, FolderThatCantBeMadeIsTheUsersMistake) {
