@@ -3,7 +3,7 @@
 # twice.
 #   dev      asserts and sanitizers: unit and layering tests
 #   release  what users run: the QP again, allocations, the MPC's recorded problems, closed loops,
-#            a sweep on a cluster
+#            pages in a browser, a sweep on a cluster
 # Clean clone to verdict in minutes; a second time only what changed is built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -27,7 +27,7 @@ build() {
   cmake --build --preset "$1" --parallel "$jobs" --target "${@:2}"
 }
 build dev unit_tests layering_tests
-build release sidestep unit_tests closed_loop_tests
+build release sidestep unit_tests closed_loop_tests browser_tests
 
 current="unit and layering tests with sanitizers (preset dev)"
 step "$current"
@@ -36,6 +36,10 @@ ctest --preset dev --parallel "$jobs" --no-tests=error --label-regex 'unit|layer
 current="QP, MPC, allocation and closed-loop tests (preset release)"
 step "$current"
 ctest --preset release --parallel "$jobs" --no-tests=error --label-regex 'unit|closed_loop'
+
+current="pages in a browser (preset release)"
+step "$current"
+ctest --preset release --no-tests=error --label-regex browser
 
 current="a sweep on a real Slurm (preset release; skipped where it can't be installed)"
 step "$current"

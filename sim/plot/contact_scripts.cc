@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "sim/plot/plot_script.h"
@@ -17,8 +18,34 @@ std::string OfFoot(const std::string& foot, const std::string& expression) {
 
 std::string Column(const std::string& name) { return "(column(" + GnuplotText(name) + "))"; }
 
-// The four edges of the box that the foothold may move in, turned by the foot's yaw.
-void AddBoxToTopView(const std::string& foot, const std::string& color, std::ostream& script) {
+// An arrow into the CoM for each push, with its newtons at the tail.
+void AddPushArrows(const PlotData& data, std::ostream& script) {
+  constexpr double kLength_m = 0.12;
+  for (const PushMark& mark : data.push_marks) {
+    const double force_N = std::hypot(mark.force_x_N, mark.force_y_N);
+    if (!(force_N > 0.0)) continue;
+    const double x_m = mark.x_m - kLength_m * mark.force_x_N / force_N;
+    const double y_m = mark.y_m - kLength_m * mark.force_y_N / force_N;
+    script << "set arrow from " << x_m << ", " << y_m << " to " << mark.x_m << ", " << mark.y_m
+           << " front head size screen 0.012,22 filled linewidth 2 linecolor rgb \"" << kPushColor
+           << "\"\nset label '" << std::lround(force_N) << " N' at " << x_m << ", " << y_m
+           << " front center offset 0, " << (mark.force_y_N > 0.0 ? -0.7 : 0.7) << "\n";
+  }
+}
+
+// Undefined also of steps that were moved less than the farthest.
+std::string OfMovedFoot(const std::string& foot, double moved_m, const std::string& expression) {
+  const auto moved = [](const char* axis) {
+    return "(column(\"adjusted_" + std::string(axis) + "_m\")-column(\"nominal_" + axis +
+           "_m\"))**2";
+  };
+  return OfFoot(foot, "(sqrt(" + moved("x") + "+" + moved("y") + ") > " + std::to_string(moved_m) +
+                          " ? " + expression + " : NaN)");
+}
+
+// The four edges of the box that a moved foothold may be in, turned by the foot's yaw.
+void AddBoxToTopView(const std::string& foot, const std::string& color, double moved_m,
+                     std::ostream& script) {
   const std::string cosine = "cos(column(\"yaw_rad\"))", sine = "sin(column(\"yaw_rad\"))";
   const std::array<std::array<const char*, 2>, 4> corners{
       {{"lower", "lower"}, {"upper", "lower"}, {"upper", "upper"}, {"lower", "upper"}}};
@@ -32,15 +59,16 @@ void AddBoxToTopView(const std::string& foot, const std::string& color, std::ost
         Column("nominal_x_m") + "+" + cosine + "*" + x + "-" + sine + "*" + y;
     const std::string from_y =
         Column("nominal_y_m") + "+" + sine + "*" + x + "+" + cosine + "*" + y;
-    script << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, from_x) << ":(" << from_y
-           << "):(" << cosine << "*" << dx << "-" << sine << "*" << dy << "):(" << sine << "*" << dx
-           << "+" << cosine << "*" << dy << ") with vectors nohead linecolor rgb \"" << color
-           << "\" linewidth 0.3 notitle";
+    script << ", \\\n  " << kFootsteps << " using " << OfMovedFoot(foot, moved_m, from_x) << ":("
+           << from_y << "):(" << cosine << "*" << dx << "-" << sine << "*" << dy << "):(" << sine
+           << "*" << dx << "+" << cosine << "*" << dy << ") with vectors nohead linecolor rgb \""
+           << color << "\" linewidth 0.3 notitle";
   }
 }
 
-void AddFootToTopView(const std::string& foot, const std::string& color, std::ostream& script) {
-  AddBoxToTopView(foot, color, script);
+void AddFootToTopView(const std::string& foot, const std::string& color, double moved_m,
+                      std::ostream& script) {
+  AddBoxToTopView(foot, color, moved_m, script);
   script << ", \\\n  " << kFootsteps << " using " << OfFoot(foot, Column("nominal_x_m")) << ":"
          << Column("nominal_y_m") << ":(" << Column("adjusted_x_m") << "-" << Column("nominal_x_m")
          << "):(" << Column("adjusted_y_m") << "-" << Column("nominal_y_m")
@@ -93,6 +121,7 @@ std::string TopViewScript(const PlotData& data) {
          << "set bmargin at screen 0.165\nset tmargin at screen 0.93\n"
          << "set size ratio -1\nset xlabel 'x, forward (m)'\nset ylabel 'y, left (m)'\n";
   SetTopViewRanges(data.has_footsteps, script);
+  AddPushArrows(data, script);
   script << "plot '" << kThinnedFile << "' using \"reference_p_WC_x_m\":\"reference_p_WC_y_m\" "
          << "with lines linecolor rgb \"" << kReferenceColor
          << "\" linewidth 1.6 title 'CoM, reference'"
@@ -100,14 +129,14 @@ std::string TopViewScript(const PlotData& data) {
          << "with lines linecolor rgb \"" << kMpcColor << "\" linewidth 1.6 title 'CoM, true'";
   if (data.has_footsteps) {
     for (std::size_t i = 0; i < data.feet.size(); ++i) {
-      AddFootToTopView(data.feet[i], FootColor(i), script);
+      AddFootToTopView(data.feet[i], FootColor(i), data.moved_m, script);
     }
     script << ", \\\n  keyentry with points pointtype 6 linewidth 1.4 linecolor rgb \""
            << kNominalColor << "\" title 'nominal'"
            << ", \\\n  keyentry with points pointtype 2 linecolor rgb \"" << kNominalColor
            << "\" title 'realised'"
            << ", \\\n  keyentry with boxes linecolor rgb \"" << kNominalColor
-           << "\" linewidth 0.6 fillstyle empty title 'adjustment allowed'";
+           << "\" linewidth 0.6 fillstyle empty title 'allowed'";
   }
   script << "\n";
   return script.str();

@@ -139,6 +139,27 @@ void ReadContactsInto(const CsvTable& trajectory, const std::vector<double>& tim
   });
 }
 
+void ReadPushMarksInto(const CsvTable& trajectory, const std::vector<double>& time_s,
+                       PlotData* data) {
+  const auto x = trajectory.Numbers("truth_p_WC_x_m"), y = trajectory.Numbers("truth_p_WC_y_m");
+  const auto force_x = trajectory.Numbers("push_force_W_x_N");
+  const auto force_y = trajectory.Numbers("push_force_W_y_N");
+  for (const Stretch& push : data->pushes) {
+    const auto at = std::lower_bound(time_s.begin(), time_s.end(), push.start_s);
+    if (at == time_s.end()) continue;
+    const auto first = static_cast<std::size_t>(at - time_s.begin());
+    PushMark mark{x[first], y[first], 0.0, 0.0};
+    for (std::size_t row = first; row < time_s.size() && time_s[row] <= push.end_s; ++row) {
+      if (std::hypot(force_x[row], force_y[row]) <= std::hypot(mark.force_x_N, mark.force_y_N)) {
+        continue;
+      }
+      mark.force_x_N = force_x[row];
+      mark.force_y_N = force_y[row];
+    }
+    data->push_marks.push_back(mark);
+  }
+}
+
 void ReadPhasesInto(const CsvTable& trajectory, const std::vector<double>& time_s, PlotData* data) {
   std::vector<NamedColumn> columns = ColumnsOf(
       trajectory,
@@ -170,6 +191,19 @@ void ReadSummaryInto(const std::filesystem::path& run_dir, PlotData* data) {
   data->p99_ms = drawn(summary.solve_time.p99_ms);
 }
 
+// What all but the six steps that were moved farthest were moved at most.
+double MovedFarther_m(const std::vector<Footstep>& footsteps) {
+  constexpr std::size_t kMostBoxes = 6;  // more would be a hatch
+  constexpr double kLeast_m = 0.01;
+  std::vector<double> moved_m;
+  for (const Footstep& step : footsteps) {
+    const double distance_m = (step.adjusted_p_WF - step.nominal_p_WF).head<2>().norm();
+    if (std::isfinite(distance_m)) moved_m.push_back(distance_m);
+  }
+  std::sort(moved_m.rbegin(), moved_m.rend());
+  return moved_m.size() > kMostBoxes ? std::max(kLeast_m, moved_m[kMostBoxes]) : kLeast_m;
+}
+
 }  // namespace
 
 PlotData LoadPlotData(const std::filesystem::path& run_dir) {
@@ -185,8 +219,11 @@ PlotData LoadPlotData(const std::filesystem::path& run_dir) {
   data.end_s = std::max(time_s.back(), time_s.front() + 1e-3);  // an axis needs a length
   ReadContactsInto(trajectory, time_s, &data);
   data.thinned_csv = Thinned(ColumnsOf(trajectory, PlottedColumns(data.feet)), kMostRows);
+  ReadPushMarksInto(trajectory, time_s, &data);
   ReadPhasesInto(trajectory, time_s, &data);
-  data.has_footsteps = !ReadFootsteps(run_dir).empty();
+  const std::vector<Footstep> footsteps = ReadFootsteps(run_dir);
+  data.has_footsteps = !footsteps.empty();
+  data.moved_m = MovedFarther_m(footsteps);
   const CsvTable solves = CsvTable::Read(run_dir / "mpc.csv");
   data.has_solves = solves.num_rows() > 0;
   data.has_cpu_times = solves.has("cpu_ms");

@@ -21,6 +21,14 @@ struct Stretch {
   double end_s{0.0};
 };
 
+/// A push seen from above: where the CoM was when it came, and its largest force.
+struct PushMark {
+  double x_m{0.0};
+  double y_m{0.0};
+  double force_x_N{0.0};
+  double force_y_N{0.0};
+};
+
 /// When a foot stood, and when it was planned to.
 struct FootContacts {
   std::vector<Stretch> truth;
@@ -47,6 +55,7 @@ struct PlotData {
   double end_s{0.0};                   ///< Last row; at least 1 ms after start_s.
   std::vector<std::string> feet;       ///< Names, as the columns have them.
   std::vector<Stretch> pushes;         ///< As the summary has them; panels over time shade them.
+  std::vector<PushMark> push_marks;    ///< Of those that came.
   std::vector<FootContacts> contacts;  ///< One a foot.
   std::vector<Stretch> flights;        ///< No foot stood; of 20 ms at least.
   std::vector<AskedGaitStart> gaits;
@@ -54,7 +63,8 @@ struct PlotData {
   double p50_ms{0.0};       ///< Of solves; 0 likewise.
   double p99_ms{0.0};
   bool has_footsteps{false};  ///< footsteps.csv holds a row.
-  bool has_solves{false};     ///< mpc.csv holds a row.
+  double moved_m{0.0};     ///< A step that the controller moved farther is one of the six farthest.
+  bool has_solves{false};  ///< mpc.csv holds a row.
   bool has_cpu_times{false};  ///< Its rows tell the processor's time, too.
   std::string thinned_csv;    ///< The plotted columns of trajectory.csv, at most 2000 rows.
   /// The CoM's and the base's motion for phase portraits, at most 6000 rows: y and z of the CoM,

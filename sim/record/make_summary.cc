@@ -4,12 +4,42 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
+
+#include "sim/scenario/resolve_pushes.h"
 
 namespace sidestep {
 namespace {
 
+// When the robot fell, or nothing.
+std::optional<double> FallTime_s(const RunOutcome& outcome) {
+  const auto found = outcome.metrics.find("fall_time_s");
+  const double* time_s =
+      found == outcome.metrics.end() ? nullptr : std::get_if<double>(&found->second);
+  return time_s != nullptr && std::isfinite(*time_s) ? std::optional(*time_s) : std::nullopt;
+}
+
+// What became of push number `index`: a fall before the next one is its own.
+std::string OutcomeOf(const RunOutcome& outcome, std::size_t index, double simulated_s) {
+  const PushRecord& record = outcome.pushes[index];
+  if (record.push.start_s > simulated_s || record.impulse_W_Ns.isZero(0.0)) return "NOT_BEGUN";
+  if (record.figures.recovered) return "RECOVERED";
+  const std::optional<double> fall_s = FallTime_s(outcome);
+  const bool is_last_before =
+      fall_s && *fall_s >= record.push.start_s &&
+      std::none_of(outcome.pushes.begin(), outcome.pushes.end(), [&](const PushRecord& other) {
+        return other.push.start_s > record.push.start_s && other.push.start_s <= *fall_s;
+      });
+  return is_last_before ? "FALL" : "NOT_RECOVERED";
+}
+
 PushSummary SummaryOf(const PushRecord& record, double mass_kg) {
   PushSummary push;
+  push.force_N = record.push.force_N.norm();
+  if (!record.push.force_N.head<2>().isZero(0.0)) {
+    push.direction_rad = std::atan2(record.push.force_N.y(), record.push.force_N.x());
+  }
   push.body = record.push.body;
   push.start_s = record.push.start_s;
   push.duration_s = record.push.duration_s;
@@ -83,8 +113,11 @@ RunSummary MakeSummary(const Scenario& scenario, const RunOutcome& outcome, cons
     summary.expectations.push_back(SummaryOf(result));
   }
   summary.metrics = outcome.metrics;
-  for (const PushRecord& record : outcome.pushes) {
-    summary.pushes.push_back(SummaryOf(record, outcome.mass_kg));
+  for (std::size_t i = 0; i < outcome.pushes.size(); ++i) {
+    PushSummary push = SummaryOf(outcome.pushes[i], outcome.mass_kg);
+    push.phase = PhaseAt(scenario, push.start_s).value_or(kNotTold);
+    push.outcome = OutcomeOf(outcome, i, facts.simulated_s);
+    summary.pushes.push_back(std::move(push));
   }
   for (const GaitRecord& record : outcome.gaits) {
     summary.gaits.push_back({record.gait.type, record.gait.start_s, record.figures});

@@ -68,8 +68,12 @@ struct PushSummary {
   std::string body;
   double start_s{kNotTold};  ///< As scripted.
   double duration_s{kNotTold};
-  double impulse_Ns{kNotTold};            ///< Norm of the integral of the force.
+  double force_N{kNotTold};        ///< Norm of the scripted force; a half sine's peak.
+  double direction_rad{kNotTold};  ///< Its angle about z in the axes it is told in; NaN if upright.
+  double phase{kNotTold};          ///< Share of the first foot's stride; NaN where it has none.
+  double impulse_Ns{kNotTold};     ///< Norm of the integral of the force.
   double impulse_per_mass_mps{kNotTold};  ///< That over the plant's mass.
+  std::string outcome;                    ///< RECOVERED, NOT_RECOVERED, FALL or NOT_BEGUN.
   bool recovered{false};                  ///< See PushMeter for it and the figures below.
   double recovery_time_s{kNotTold};       ///< From its end; infinite if it never came.
   double peak_tilt_rad{kNotTold};
@@ -82,8 +86,12 @@ struct PushSummary {
     visit("body", self.body);
     visit("start_s", self.start_s);
     visit("duration_s", self.duration_s);
+    visit("force_N", self.force_N, kAddedLater);
+    visit("direction_rad", self.direction_rad, kAddedLater);
+    visit("phase", self.phase, kAddedLater);
     visit("impulse_Ns", self.impulse_Ns);
     visit("impulse_per_mass_mps", self.impulse_per_mass_mps);
+    visit("outcome", self.outcome, kAddedLater);
     visit("recovered", self.recovered, kAddedLater);
     visit("recovery_time_s", self.recovery_time_s, kAddedLater);
     visit("peak_tilt_rad", self.peak_tilt_rad, kAddedLater);

@@ -9,7 +9,7 @@ const char* StyleSheet() {
   --soft: #5b6470; --line: #dde1e6; --pass: #0b6e4f; --fail: #b3261e; --other: #5f6368; }
 @media (prefers-color-scheme: dark) {
   :root { --page: #14171b; --card: #1d2126; --ink: #e8eaed; --soft: #a2abb5; --line: #343a41;
-    --pass: #1f8a66; --fail: #c5413a; --other: #6f757c; } }
+    --pass: #187a59; --fail: #c03d36; --other: #676d74; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--page); color: var(--ink);
   font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
@@ -31,8 +31,13 @@ td .badge { font-size: .8em; vertical-align: 0; }
   border: 1px solid var(--line); border-left: 4px solid var(--fail); border-radius: 6px; }
 video { display: block; width: 100%; max-width: 800px; margin: 16px auto; border-radius: 10px;
   background: #000; }
-.cards { display: grid; gap: 16px; margin-top: 18px;
-  grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
+.cards { display: grid; gap: 16px; margin: 18px 0; grid-template-columns: minmax(0, 1fr); }
+.arrow { width: 1.5em; height: 1.5em; vertical-align: middle; }
+details { margin-top: 12px; }
+details > *:not(summary) { margin-top: 12px; }
+@media (max-width: 600px) { main { padding: 14px 10px 40px; } h1, h2 { font-size: 1.3rem; }
+  .card, figure, details, .command { padding: 10px 10px; border-radius: 8px; }
+  figure { overflow-x: auto; } figure svg { min-width: 560px; } }
 .card, figure, details, .command { background: var(--card); border: 1px solid var(--line);
   border-radius: 10px; padding: 16px 18px; margin: 0; }
 .plots { display: grid; gap: 16px; }

@@ -93,6 +93,21 @@ double Start_s(const PushEntry& entry, const std::string& path, const Scenario& 
 
 }  // namespace
 
+std::optional<double> PhaseAt(const Scenario& scenario, double time_s) {
+  if (scenario.gait.empty() || scenario.robot.feet.empty()) return std::nullopt;
+  const NominalMotion motion(scenario.robot, AskedGaitOf(scenario));
+  const Tick tick = TickAt(time_s, motion.tick_s());
+  for (auto stride = StrideFrom(motion.contacts(0), 0); stride;
+       stride = StrideFrom(motion.contacts(0), stride->end)) {
+    if (tick < stride->lift_off) return std::nullopt;
+    if (tick < stride->end) {
+      return static_cast<double>(tick - stride->lift_off) /
+             static_cast<double>(stride->end - stride->lift_off);
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<Push> ResolvePushes(const std::vector<PushEntry>& entries, const Scenario& scenario,
                                 const ConfigTree& root) {
   std::vector<Push> pushes;

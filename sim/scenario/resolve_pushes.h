@@ -7,6 +7,7 @@
 //   peak at_phase        a tick of the scenario's nominal gait (nominal_motion.h)
 // with m the plant's mass, world.mass_scale in it, and T the push's duration_s.
 
+#include <optional>
 #include <vector>
 
 #include "models/support/config_tree.h"
@@ -19,5 +20,9 @@ namespace sidestep {
 /// @throws ConfigError if the gait has no such stride before the run ends, or no such foot.
 std::vector<Push> ResolvePushes(const std::vector<PushEntry>& entries, const Scenario& scenario,
                                 const ConfigTree& root);
+
+/// Where an instant is in the stride of the first foot that the scenario's gait asks for, from its
+/// lift-off (0) to the next (1); empty where there is no whole stride.
+std::optional<double> PhaseAt(const Scenario& scenario, double time_s);
 
 }  // namespace sidestep

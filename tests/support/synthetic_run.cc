@@ -152,12 +152,17 @@ RunSummary SummaryOf(const SyntheticRun& run) {
   push.body = "trunk";
   push.start_s = run.push_start_s;
   push.duration_s = run.push_duration_s;
+  push.force_N = run.push_force_N;
+  push.direction_rad = 0.5 * std::numbers::pi;
+  push.phase = 0.35;
+  push.outcome = is_fail ? "FALL" : "RECOVERED";
   push.impulse_Ns = impulse_Ns;
   push.impulse_per_mass_mps = impulse_Ns / kToyMass_kg;
   summary.solve_time = {5.4, 5.4, 6.8, 6.8, 50.0, 0, 10};
+  summary.solve_cpu = {2.7, 2.7, 3.4, 3.4, 50.0, 0, 10};
   summary.versions = {{"mujoco", "2.2.2"}, {"eigen", "3.4.0"}};
   summary.seed = 1;
-  summary.command = {"sidestep", "run", "toy.yaml"};
+  summary.command = {"sidestep", "run", "my toy.yaml", "--set", "pushes.0={a: b}"};
   summary.simulated_s = run.duration_s;
   summary.wall_s = 0.8;
   summary.real_time_factor = 0.6;

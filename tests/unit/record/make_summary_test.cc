@@ -75,6 +75,32 @@ TEST(MakeSummaryTest, PushesTellWhetherAndHowTheRobotRecovered) {
   EXPECT_TRUE(pushes[1].at("recovery_time_s").is_null()) << "never";
 }
 
+TEST(MakeSummaryTest, PushesTellForceDirectionAndTheirOwnOutcome) {
+  RunOutcome outcome;
+  outcome.mass_kg = 2.0;
+  outcome.metrics = {{"fall_time_s", 4.5}};
+  outcome.pushes.resize(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    outcome.pushes[i].push.start_s = 1.0 + static_cast<double>(i);  // at 1, 2, 3 and 4 s
+    outcome.pushes[i].push.force_N = {0.0, -3.0, 4.0};
+    outcome.pushes[i].impulse_W_Ns = {0.0, -0.3, 0.4};
+  }
+  outcome.pushes[0].figures.recovered = true;
+  RunFacts facts;
+  facts.simulated_s = 5.0;
+  nlohmann::json pushes = Summary(outcome, facts).at("pushes");
+  EXPECT_EQ(pushes[0].at("force_N"), 5.0);
+  EXPECT_NEAR(pushes[0].at("direction_rad").get<double>(), -1.5708, 1e-4);
+  EXPECT_EQ(pushes[0].at("outcome"), "RECOVERED");
+  EXPECT_EQ(pushes[1].at("outcome"), "NOT_RECOVERED") << "the next push came first";
+  EXPECT_EQ(pushes[3].at("outcome"), "FALL");
+  facts.simulated_s = 3.5;
+  outcome.metrics = {{"fall_time_s", 3.2}};
+  pushes = Summary(outcome, facts).at("pushes");
+  EXPECT_EQ(pushes[2].at("outcome"), "FALL");
+  EXPECT_EQ(pushes[3].at("outcome"), "NOT_BEGUN");
+}
+
 TEST(MakeSummaryTest, GaitsTellWhatCameOfThem) {
   RunOutcome outcome;
   outcome.gaits.resize(2);

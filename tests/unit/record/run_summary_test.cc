@@ -147,8 +147,12 @@ constexpr const char* kPass = R"({
       "body": "trunk",
       "start_s": 0.5,
       "duration_s": 0.1,
+      "force_N": 40.0,
+      "direction_rad": 1.5,
+      "phase": 0.25,
       "impulse_Ns": 4.0,
       "impulse_per_mass_mps": 0.2,
+      "outcome": "RECOVERED",
       "recovered": true,
       "recovery_time_s": 0.25,
       "peak_tilt_rad": 0.125,
@@ -253,7 +257,8 @@ TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   old = Without(old, "  \"cpu_s\"", "  \"real_time_factor\"");
   old = Without(old, ",\n  \"cpu_real_time_factor\"", "\n}");
   old = Without(old, "    \"mean\"", "    \"p50\"");
-  old = Without(old, ",\n      \"recovered\"", "\n    }\n  ],\n  \"solve_time_ms\"");
+  old = Without(old, "      \"force_N\"", "      \"impulse_Ns\"");
+  old = Without(old, ",\n      \"outcome\"", "\n    }\n  ],\n  \"solve_time_ms\"");
   const RunSummary read = Read(old);
   EXPECT_TRUE(read.joints.empty());
   EXPECT_TRUE(read.gaits.empty());

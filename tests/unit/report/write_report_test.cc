@@ -15,6 +15,7 @@
 #include "sim/plot/plot_run.h"
 #include "sim/report/html.h"
 #include "sim/report/inline_svg.h"
+#include "sim/verdict/metrics.h"
 #include "tests/support/synthetic_run.h"
 
 namespace sidestep::write_report_test {
@@ -80,8 +81,31 @@ TEST(WriteReportTest, VerdictReasonPushAndSolveTimesAreShown) {
   EXPECT_TRUE(Has(PageOfOne(), "<span class=\"badge FAIL\">FAIL</span>"));
   EXPECT_TRUE(Has(PageOfOne(), "<b>FALL</b> base tilted beyond 1 rad at 0.4 s"));
   // 40 N for 0.1 s on 20 kg: 4 N s, 0.2 m/s.
-  EXPECT_TRUE(Has(PageOfOne(), "trunk</th><td>0.2</td><td>0.1</td><td>4</td><td>0.2</td>"));
-  EXPECT_TRUE(Has(PageOfOne(), "p99 (ms)</th><td>6.8</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "trunk</th><td><span class=\"missed\">FALL</span></td><td>40</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "rotate(-90)")) << "an arrow to the left";
+  EXPECT_TRUE(Has(PageOfOne(), "<td>0.2</td><td>0.1</td><td>0.35</td><td>4</td><td>0.2</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "p99 (ms)</th><td>3.4</td><td>6.8</td>"));
+}
+
+TEST(WriteReportTest, VerdictFilmPictureAndPushesComeBeforeTheRest) {
+  std::size_t at = 0;
+  for (const char* part : {"badge FAIL", "<video", "aria-label=\"top view\"", ">Pushes<",
+                           ">Expectations<", "All plots", "MPC solve time", ">Metrics<",
+                           ">Settings<", "as it was resolved", "Run it again"}) {
+    const std::size_t found = PageOfOne().find(part, at);
+    ASSERT_NE(found, std::string::npos) << part;
+    at = found;
+  }
+}
+
+TEST(WriteReportTest, MetricsTellWhatTheyMean) {
+  EXPECT_TRUE(Has(PageOfOne(), "<code>max_tilt_rad</code></th><td>0.08</td><td>" +
+                                   report::Escaped(FindMetric("max_tilt_rad")->meaning)));
+}
+
+TEST(WriteReportTest, TheCommandCanBePastedIntoAShell) {
+  EXPECT_TRUE(
+      Has(PageOfOne(), "sidestep run &#39;my toy.yaml&#39; --set &#39;pushes.0={a: b}&#39;"));
 }
 
 TEST(WriteReportTest, ThePageNeedsNoNetworkNoScriptAndNoOtherFile) {
@@ -103,7 +127,9 @@ TEST(WriteReportTest, ThePageNeedsNoNetworkNoScriptAndNoOtherFile) {
 TEST(WriteReportTest, VideoAndPlotsAreInThePage) {
   EXPECT_TRUE(Has(PageOfOne(), "src=\"data:video/mp4;base64,YSBmaWxt\""));
   std::size_t count = 0;
-  for (std::size_t at = 0; (at = PageOfOne().find("<svg", at)) != std::string::npos; ++at) ++count;
+  for (std::size_t at = 0; (at = PageOfOne().find("<figure><svg", at)) != std::string::npos; ++at) {
+    ++count;
+  }
   EXPECT_EQ(count, PlotNames().size());
 }
 
@@ -147,7 +173,7 @@ TEST(WriteReportTest, ARunWithoutVideoAndPlotsIsShownWithoutThem) {
   WriteReport({dir}, dir / "report.html");
   const std::string page = TextOf(dir / "report.html");
   EXPECT_FALSE(Has(page, "<video"));
-  EXPECT_FALSE(Has(page, "<svg"));
+  EXPECT_FALSE(Has(page, "<figure"));
   EXPECT_TRUE(Has(page, "Expectations"));
 }
 
@@ -187,6 +213,39 @@ TEST(InlineSvgTest, IdsArePrefixedWhereTheyAreMadeAndWhereTheyAreUsed) {
             "<svg role=\"img\" aria-label=\"a plot\" ><g id='p-a' fill='currentColor'/>"
             "<use href='#p-a'/></svg>");
   EXPECT_EQ(report::InlineSvg("not a picture", "p-", "a plot"), "");
+}
+
+TEST(InlineSvgTest, WhatGnuplotDrawsInItsGroundsColourTakesThePagesInk) {
+  EXPECT_EQ(report::InlineSvg(
+                "<svg><g fill=\"none\" color=\"white\" stroke=\"currentColor\"/></svg>", "p-", "l"),
+            "<svg role=\"img\" aria-label=\"l\"><g fill=\"none\" stroke=\"currentColor\"/></svg>");
+}
+
+TEST(InlineSvgTest, WhatCouldRunOrReachOutIsNotTaken) {
+  const std::string good = "<svg><g id='a' style='x'><text>1 &lt; 2</text></g></svg>";
+  EXPECT_NE(report::InlineSvg(good, "p-", "l"), "");
+  for (const char* inside : {"<script>alert(1)</script>",
+                             "<g onload='alert(1)'/>",
+                             "<g ONLOAD = 'alert(1)'/>",
+                             "<a href='http://x'><text>t</text></a>",
+                             "<image href='http://x/i.png'/>",
+                             "<use href='http://x/#a'/>",
+                             "<use xlink:href=\"data:x\"/>",
+                             "<foreignObject/>",
+                             "<style>@import 'http://x'</style>",
+                             "<rect fill='url(http://x)'/>",
+                             "<rect fill='url(#a) url(//x)'/>",
+                             "<rect style='background:u&#x72;l(//x)'/>",
+                             "<animate attributeName='href' to='javascript:alert(1)'/>",
+                             "<set to='x'/>",
+                             "<!-- --!><script>--><g/>",
+                             "<![CDATA[<script>]]>",
+                             "<?xml-stylesheet href='x'?>",
+                             "<g a=b onload=alert(1)>",
+                             "<g a='1' onload>",
+                             "<g a='"}) {
+    EXPECT_EQ(report::InlineSvg("<svg>" + std::string(inside) + "</svg>", "p-", "l"), "") << inside;
+  }
 }
 
 }  // namespace

@@ -75,6 +75,18 @@ TEST_F(ResolvePushesTest, NamedPhasesLieWhereTheGaitsTimesPutThem) {
   EXPECT_NEAR(std::abs(start_s("0", "right") - lift_off_s), 0.5, 1e-9) << "they alternate";
 }
 
+TEST_F(ResolvePushesTest, AnInstantsPhaseIsThatWhichLeadsToIt) {
+  const Scenario scenario = ReadScenario(file_);
+  for (const double phase : {0.0, 0.25, 0.5, 0.9}) {
+    const std::string at = "pushes.0.at_phase=" + std::to_string(phase);
+    const double start_s = Pushed({at, "pushes.0.after_s=3"}).start_s;
+    EXPECT_NEAR(PhaseAt(scenario, start_s).value_or(-1.0), phase, 1e-3)
+        << start_s;  // a tick of 1 s
+  }
+  EXPECT_FALSE(PhaseAt(scenario, 0.5).has_value()) << "it stands";
+  EXPECT_FALSE(PhaseAt(scenario, 7.9).has_value()) << "it stands again";
+}
+
 TEST_F(ResolvePushesTest, WhatIsWrittenReadsBackAsTheSamePush) {
   const Scenario scenario =
       ReadScenario(file_, {"pushes.0.at_phase=mid_swing", "pushes.0.after_s=2",
