@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/check/junit.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
+#include <filesystem>
 
 namespace sidestep {
 namespace {
@@ -44,26 +48,38 @@ std::string Lines(const std::vector<std::string>& lines) {
   return text;
 }
 
-// What a reader of the CI page needs: reasons, measured values, last words.
+// What a reader of the CI page needs: where it is, what was measured, last words.
 std::string Details(const Outcome& outcome) {
-  std::string text = Lines(outcome.reasons) + Lines(outcome.measured);
+  std::string text = "scenario: " + outcome.file.string() + "\nrun: " + outcome.run_dir.string() +
+                     "\n" + Lines(outcome.reasons) + Lines(outcome.measured);
   if (!outcome.error_output.empty()) text += "stderr:\n" + outcome.error_output + "\n";
+  return text;
+}
+
+// Jenkins and GitLab show files that are told like this.
+std::string Attachments(const Outcome& outcome) {
+  std::string text;
+  for (const char* name : {"report.html", "video.mp4"}) {
+    const std::filesystem::path file = std::filesystem::absolute(outcome.run_dir / name);
+    if (std::filesystem::exists(file)) text += "[[ATTACHMENT|" + file.string() + "]]\n";
+  }
   return text;
 }
 
 std::string TestCase(const Outcome& outcome) {
   std::string xml = "    <testcase" + Attribute("name", outcome.name) +
-                    Attribute("classname", "sidestep") + Attribute("file", outcome.file.string()) +
+                    Attribute("classname", "sidestep." + outcome.robot) +
                     Attribute("time", Seconds(outcome.wall_s)) + ">\n";
-  if (outcome.verdict == VerdictClass::kPass) {
-    xml += "      <system-out>" + XmlEscape(Lines(outcome.measured)) + "</system-out>\n";
-  } else {
+  if (outcome.verdict != VerdictClass::kPass) {
     const char* element = outcome.verdict == VerdictClass::kFail ? "failure" : "error";
     const std::string message = outcome.reasons.empty() ? "no reason given" : outcome.reasons[0];
     const std::string type = message.substr(0, message.find_first_of(" :"));
     xml += std::string("      <") + element + Attribute("message", message) +
-           Attribute("type", type) + ">" + XmlEscape(Details(outcome)) + "</" + element + ">\n";
+           Attribute("type", type) + ">" + XmlEscape(Lines(outcome.reasons)) + "</" + element +
+           ">\n";
   }
+  xml +=
+      "      <system-out>" + XmlEscape(Details(outcome) + Attachments(outcome)) + "</system-out>\n";
   return xml + "    </testcase>\n";
 }
 
@@ -92,7 +108,18 @@ std::string XmlEscape(std::string_view text) {
   return escaped;
 }
 
-std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s) {
+CheckPlace ThisPlace() {
+  CheckPlace place;
+  char text[256] = {};
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  if (std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc) > 0) place.timestamp = text;
+  if (gethostname(text, sizeof text - 1) == 0) place.hostname = text;
+  return place;
+}
+
+std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s, const CheckPlace& place) {
   const auto count = [&](VerdictClass verdict) {
     return std::to_string(
         std::count_if(outcomes.begin(), outcomes.end(),
@@ -103,7 +130,9 @@ std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s) {
                              Attribute("errors", count(VerdictClass::kInvalid)) +
                              Attribute("time", Seconds(wall_s));
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + totals +
-                    ">\n  <testsuite" + Attribute("name", "sidestep") + totals + ">\n";
+                    ">\n  <testsuite" + Attribute("name", "sidestep") + totals +
+                    Attribute("timestamp", place.timestamp) +
+                    Attribute("hostname", place.hostname) + ">\n";
   for (const Outcome& outcome : outcomes) xml += TestCase(outcome);
   return xml + "  </testsuite>\n</testsuites>\n";
 }

@@ -15,8 +15,19 @@ namespace sidestep {
 /// survive in an attribute).
 std::string XmlEscape(std::string_view text);
 
-/// A JUnit document: one suite, one case a scenario with its time; a FAIL is a <failure> and an
-/// INVALID an <error>, each with its reasons and measured values.
-std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s);
+/// Where and when a check ran.
+struct CheckPlace {
+  std::string timestamp;  ///< ISO 8601, without a zone: UTC.
+  std::string hostname;
+};
+
+/// This machine, now.
+CheckPlace ThisPlace();
+
+/// A JUnit document, with only what Jenkins' xUnit schema (junit-10.xsd) and GitLab both take: one
+/// suite, one case a scenario with its time, its robot as class; a FAIL is a <failure> and an
+/// INVALID an <error> with its reasons. `system-out` tells files, measured values and, as
+/// `[[ATTACHMENT|path]]`, what the run left to look at.
+std::string JunitXml(const std::vector<Outcome>& outcomes, double wall_s, const CheckPlace& place);
 
 }  // namespace sidestep

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <nlohmann/json.hpp>
 
 #include "sim/record/run_summary.h"
 
@@ -113,6 +114,21 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
   if (!outcome.error_output.empty()) problem += ": " + LastLine(outcome.error_output);
   outcome.reasons.insert(outcome.reasons.begin(), "ERROR: " + problem);
   return outcome;
+}
+
+std::string OutcomesJson(const std::vector<Outcome>& outcomes) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Outcome& outcome : outcomes) {
+    list.push_back({{"name", outcome.name},
+                    {"robot", outcome.robot},
+                    {"file", outcome.file.string()},
+                    {"run", outcome.run_dir.string()},
+                    {"verdict", EnumName(outcome.verdict)},
+                    {"reasons", outcome.reasons},
+                    {"measured", outcome.measured},
+                    {"wall_s", outcome.wall_s}});
+  }
+  return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 int ExitCodeOf(const std::vector<Outcome>& outcomes) {

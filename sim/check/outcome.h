@@ -14,6 +14,8 @@ namespace sidestep {
 struct Outcome {
   std::string name;            ///< The scenario's.
   std::filesystem::path file;  ///< The scenario's.
+  std::string robot;           ///< As the scenario calls it.
+  std::filesystem::path run_dir;
   VerdictClass verdict{VerdictClass::kInvalid};
   std::vector<std::string> reasons;   ///< "FALL at 1.204 s: ..."; empty for PASS.
   std::vector<std::string> measured;  ///< "fall = false", one an expectation, its bounds after it.
@@ -33,6 +35,10 @@ Outcome ReadOutcome(const std::string& name, const std::filesystem::path& file,
 
 /// The exit code of a whole check: that of an INVALID run if there is any, else of a FAIL, else 0.
 int ExitCodeOf(const std::vector<Outcome>& outcomes);
+
+/// All outcomes as a JSON list, for scripts: name, robot, file, run, verdict, reasons, measured,
+/// wall_s.
+std::string OutcomesJson(const std::vector<Outcome>& outcomes);
 
 /// The table printed at the end: a row a scenario and a line that counts the verdicts.
 std::string OutcomeTable(const std::vector<Outcome>& outcomes, double wall_s);

@@ -22,6 +22,8 @@ Outcome NotRun(const CheckItem& item, const std::string& reason) {
   Outcome outcome;
   outcome.name = item.name;
   outcome.file = item.file;
+  outcome.robot = item.robot;
+  outcome.run_dir = item.run_dir;
   outcome.verdict = VerdictClass::kInvalid;
   outcome.reasons = {reason};
   return outcome;
@@ -57,13 +59,21 @@ Outcome RunOne(const CheckPlan& plan, const CheckItem& item, RunningProcesses* r
   argv.insert(argv.end(), plan.arguments.begin(), plan.arguments.end());
   const auto start = std::chrono::steady_clock::now();
   try {
-    Process process(argv);
+    ProcessOptions options;
+    options.time_limit_s = plan.time_limit_s;
+    Process process(argv, options);
     const pid_t pid = process.pid();
     running->Add(pid);
     const ProcessResult result = process.Finish();
     running->Remove(pid);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    return ReadOutcome(item.name, item.file, item.run_dir, result, wall.count());
+    Outcome outcome = ReadOutcome(item.name, item.file, item.run_dir, result, wall.count());
+    outcome.robot = item.robot;
+    outcome.run_dir = item.run_dir;
+    if (result.exit_code == 128 + SIGKILL && wall.count() > plan.time_limit_s) {
+      outcome.reasons.insert(outcome.reasons.begin(), "ERROR: took longer than the time limit");
+    }
+    return outcome;
   } catch (const std::exception& error) {
     return NotRun(item, std::string("ERROR: ") + error.what());
   }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,12 @@
 
 namespace sidestep {
 
-/// One scenario to run: its name, its file and the folder that its run is left in.
+/// One scenario to run: its name, its file, the folder that its run is left in and its robot.
 struct CheckItem {
   std::string name;
   std::filesystem::path file;
   std::filesystem::path run_dir;
+  std::string robot{};
 };
 
 struct CheckPlan {
@@ -27,6 +29,7 @@ struct CheckPlan {
   std::filesystem::path program;       ///< This program; `run` is asked of it.
   std::vector<std::string> arguments;  ///< Passed to every `run` after its own.
   int jobs{1};                         ///< Processes at once, >= 1.
+  double time_limit_s{std::numeric_limits<double>::infinity()};  ///< Of each, on the wall.
 };
 
 /// Told of every outcome as it arrives; never called twice at once.
@@ -34,7 +37,8 @@ using CheckListener = std::function<void(const Outcome& outcome, std::size_t num
 
 /// Runs all items; the outcomes are in the items' order. Once `stop` returns true no further run is
 /// started, and those in progress are told to end (SIGTERM) and waited for. What was not started is
-/// INVALID with reason INTERRUPTED. `stop` is called from several threads.
+/// INVALID with reason INTERRUPTED; a run that takes longer than its limit is killed and INVALID.
+/// `stop` is called from several threads.
 std::vector<Outcome> RunChecks(const CheckPlan& plan, const std::function<bool()>& stop,
                                const CheckListener& listener);
 

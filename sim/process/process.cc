@@ -86,6 +86,7 @@ class Process::Patience {
     if ((socket.revents & POLLHUP) != 0 && events == 0) {
       poll(nullptr, 0, 1);  // it has let go of its input and is about to end
     }
+    if (Clock::now() > process_.killed_at_) kill(process_.pid_, SIGKILL);
     if (!process_.options_.is_tool) return;
     const std::chrono::duration<double> idle = Clock::now() - last_sign_;
     if (!InterruptRequested() && idle.count() <= process_.options_.patience_s) return;
@@ -97,7 +98,6 @@ class Process::Patience {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   Process& process_;
   Clock::time_point last_sign_;
 };
@@ -116,6 +116,9 @@ bool SendAll(int socket, const void* data, std::size_t size) {
 
 Process::Process(const std::vector<std::string>& argv, ProcessOptions options)
     : options_(std::move(options)) {
+  constexpr double kForever_s = 1e8;  // a clock's count overflows later
+  killed_at_ += std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(std::min(options_.time_limit_s, kForever_s)));
   SIDESTEP_REQUIRE(!argv.empty(), argv.size());
   program_ = argv.front();
   int ends[2] = {-1, -1};

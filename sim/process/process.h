@@ -8,8 +8,10 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +37,7 @@ struct ProcessOptions {
   /// kills it, and so does `patience_s`.
   bool is_tool{false};
   double patience_s{120.0};  ///< Of a tool: the longest that it may take no input, or not end.
+  double time_limit_s{std::numeric_limits<double>::infinity()};  ///< Killed when it takes longer.
 };
 
 /// A tool's.
@@ -70,11 +73,13 @@ class Process {
   ProcessResult Finish();
 
  private:
+  using Clock = std::chrono::steady_clock;
   class Patience;
   void Kill();
 
   std::string program_;
   ProcessOptions options_;
+  Clock::time_point killed_at_{Clock::now()};
   pid_t pid_{-1};
   int input_{-1};
   int output_{-1};

@@ -314,6 +314,35 @@ TEST(CheckTest, TheWorstVerdictDecidesAndJunitTellsEach) {
   EXPECT_EQ(Sidestep({"check", folder.path() / "suite", "-o", runs, "-q", "--force"}).exit_code, 0);
 }
 
+TEST(CheckTest, TakesOnlyWhatIsAskedForAndTellsItAsJson) {
+  const ScratchFolder folder;
+  folder.Write("suite/a.yaml", kStanding);
+  folder.Write("suite/b.yaml", kFalling);
+  const std::string suite = folder.path() / "suite", runs = folder.path() / "runs";
+  const fs::path json = folder.path() / "all.json";
+  EXPECT_EQ(
+      Sidestep({"check", suite, "-o", runs, "-q", "--filter", "stand*", "--json", json}).exit_code,
+      0);
+  const auto all = nlohmann::json::parse(TextOf(json));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0]["name"], "standing");
+  EXPECT_EQ(all[0]["robot"], "hopper");
+  EXPECT_EQ(all[0]["verdict"], "PASS");
+  EXPECT_EQ(Sidestep({"check", suite, "-o", runs, "-q", "--force", "--shard", "0/2"}).exit_code, 0);
+  EXPECT_EQ(Sidestep({"check", suite, "-o", runs, "-q", "--force", "--shard", "1/2"}).exit_code, 1);
+  EXPECT_EQ(Sidestep({"check", suite, "-o", runs, "-q", "--force", "--filter", "icub*"}).exit_code,
+            2);
+}
+
+TEST(CheckTest, ARunThatTakesTooLongIsInvalid) {
+  const ScratchFolder folder;
+  folder.Write("s.yaml", "sidestep: 1\nname: standing\nrobot: icub3\nduration_s: 9000\n");
+  const ProcessResult late = Sidestep(
+      {"check", folder.path() / "s.yaml", "-o", folder.path() / "runs", "-q", "--timeout", "2"});
+  EXPECT_EQ(late.exit_code, 3) << late.out;
+  EXPECT_NE(late.out.find("took longer than the time limit"), std::string::npos) << late.out;
+}
+
 TEST(CheckTest, OneBadScenarioStopsTheWholeCheckBeforeAnyRun) {
   const ScratchFolder folder;
   folder.Write("suite/a.yaml", kStanding);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <memory>
 #include <thread>
@@ -17,6 +21,7 @@
 #include "sim/check/run_checks.h"
 #include "sim/process/interrupt.h"
 #include "sim/scenario/read_scenario.h"
+#include "sim/sweep/shard_name.h"
 
 namespace sidestep {
 namespace {
@@ -27,6 +32,10 @@ constexpr const char* kDefaultOutDir = "renders/check";
 struct CheckArguments {
   std::vector<std::filesystem::path> paths;
   std::filesystem::path junit;
+  std::filesystem::path json;
+  std::string filter{"*"};  ///< Of names, as a shell's pattern.
+  std::string shard{"0/1"};
+  double time_limit_s{std::numeric_limits<double>::infinity()};
   std::filesystem::path out_dir{kDefaultOutDir};
   bool has_out_dir{false};
   bool is_forced{false};
@@ -44,13 +53,15 @@ bool PlanItems(const CheckArguments& arguments, std::vector<CheckItem>* items) {
   const bool may_replace = arguments.is_forced || !arguments.has_out_dir;
   for (const auto& file : FindScenarios(arguments.paths)) {
     try {
-      const std::string name = ReadScenario(file, arguments.overrides, PrintNote).name;
+      const Scenario scenario = ReadScenario(file, arguments.overrides, PrintNote);
+      const std::string& name = scenario.name;
+      if (fnmatch(arguments.filter.c_str(), name.c_str(), 0) != 0) continue;
       const auto [first, is_new] = file_of_name.emplace(name, file);
       if (!is_new) {
         throw ConfigError(file.string() + ": error: " + first->second.string() +
                           " has the same name, '" + name + "'");
       }
-      items->push_back({name, file, arguments.out_dir / name});
+      items->push_back({name, file, arguments.out_dir / name, scenario.robot_name});
       CheckOutFolder(items->back().run_dir, may_replace);
     } catch (const ConfigError& error) {
       std::fprintf(stderr, "%s\n", error.what());
@@ -60,11 +71,24 @@ bool PlanItems(const CheckArguments& arguments, std::vector<CheckItem>* items) {
   return is_good;
 }
 
+// Every N-th, beginning with number I.
+std::vector<CheckItem> ShareOf(const std::vector<CheckItem>& items, const std::string& shard) {
+  const ShardName share = ParseShard(shard, [](const char* name) { return std::getenv(name); });
+  std::vector<CheckItem> own;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (static_cast<int>(i % static_cast<std::size_t>(share.shards)) == share.shard) {
+      own.push_back(items[i]);
+    }
+  }
+  return own;
+}
+
 CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) {
   CheckPlan plan;
   plan.items = std::move(items);
   plan.program = ThisProgram();
   plan.jobs = arguments.jobs;
+  plan.time_limit_s = arguments.time_limit_s;
   plan.arguments = {"--jobs", "1", "--plots", arguments.plots};
   if (!arguments.has_video) plan.arguments.push_back("--no-video");
   for (const std::string& override : arguments.overrides) {
@@ -75,7 +99,10 @@ CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) 
 
 void WriteJunit(const CheckArguments& arguments, const std::vector<Outcome>& outcomes,
                 double wall_s) {
-  if (!arguments.junit.empty()) WriteTextFile(arguments.junit, JunitXml(outcomes, wall_s));
+  if (!arguments.junit.empty()) {
+    WriteTextFile(arguments.junit, JunitXml(outcomes, wall_s, ThisPlace()));
+  }
+  if (!arguments.json.empty()) WriteTextFile(arguments.json, OutcomesJson(outcomes));
 }
 
 // What the report says if this process is killed: nothing passed.
@@ -85,6 +112,8 @@ std::vector<Outcome> NotYetRun(const std::vector<CheckItem>& items) {
     Outcome& outcome = outcomes.emplace_back();
     outcome.name = item.name;
     outcome.file = item.file;
+    outcome.robot = item.robot;
+    outcome.run_dir = item.run_dir;
     outcome.reasons = {"ERROR: the check ended before this run did"};
   }
   return outcomes;
@@ -93,7 +122,10 @@ std::vector<Outcome> NotYetRun(const std::vector<CheckItem>& items) {
 int Check(const CheckArguments& arguments) {
   std::vector<CheckItem> items;
   if (!PlanItems(arguments, &items)) return kExitBadInput;
-  const CheckPlan plan = PlanOf(arguments, std::move(items));
+  if (items.empty()) {
+    throw ConfigError("check: error: no scenario is called '" + arguments.filter + "'");
+  }
+  const CheckPlan plan = PlanOf(arguments, ShareOf(items, arguments.shard));
   WriteJunit(arguments, NotYetRun(plan.items), 0.0);  // fails now rather than after the runs
 
   const auto start = std::chrono::steady_clock::now();
@@ -109,7 +141,8 @@ int Check(const CheckArguments& arguments) {
     });
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  std::printf("%s", OutcomeTable(outcomes, wall.count()).c_str());
+  std::printf("%sruns: %s\n", OutcomeTable(outcomes, wall.count()).c_str(),
+              arguments.out_dir.c_str());
   WriteJunit(arguments, outcomes, wall.count());
   return ExitCodeOf(outcomes);
 }
@@ -130,6 +163,19 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--junit", arguments->junit, "Write a JUnit report for CI")
       ->type_name("FILE");
+  command->add_option("--json", arguments->json, "Write all outcomes as JSON")->type_name("FILE");
+  command
+      ->add_option("--filter", arguments->filter,
+                   "Only scenarios whose name fits this shell pattern: 'icub_*'")
+      ->capture_default_str();
+  command->add_option("--shard", arguments->shard, "Every N-th scenario, beginning with number I")
+      ->type_name("I/N")
+      ->capture_default_str();
+  command
+      ->add_option("--timeout", arguments->time_limit_s,
+                   "A run that takes longer is ended and INVALID")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
   CLI::Option* out =
       command->add_option("-o,--out", arguments->out_dir, "Folder that gets a folder a run")
           ->type_name("DIR")

@@ -14,6 +14,8 @@ Outcome Make(const std::string& name, VerdictClass verdict, std::vector<std::str
   Outcome outcome;
   outcome.name = name;
   outcome.file = name + ".yaml";
+  outcome.robot = "robot";
+  outcome.run_dir = "runs/" + name;
   outcome.verdict = verdict;
   outcome.reasons = std::move(reasons);
   outcome.measured = {"fall = true (is false) missed"};
@@ -50,28 +52,27 @@ TEST(JunitTest, ThreeVerdictsGiveTheirElementsAndTotals) {
   const std::string xml = JunitXml({Make("good", VerdictClass::kPass, {}),
                                     Make("bad", VerdictClass::kFail, {"FALL at 1.000 s: low", "B"}),
                                     Make("ugly", VerdictClass::kInvalid, {"ERROR: signal <11>"})},
-                                   4.5);
+                                   4.5, {"2026-11-26T20:00:00", "a host"});
   // The whole document: any change of it is a change of what CI servers get.
-  const std::string totals = R"(tests="3" failures="1" errors="1" time="4.500">)";
-  const std::string measured = "fall = true (is false) missed&#10;";
+  const std::string totals = R"(tests="3" failures="1" errors="1" time="4.500")";
+  const auto out = [](const std::string& name, const std::string& reasons) {
+    return "      <system-out>scenario: " + name + ".yaml&#10;run: runs/" + name + "&#10;" +
+           reasons + "fall = true (is false) missed&#10;</system-out>\n    </testcase>\n";
+  };
   EXPECT_EQ(xml, R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites )" + totals +
-                     R"(
+                     R"(>
   <testsuite name="sidestep" )" +
-                     totals + R"(
-    <testcase name="good" classname="sidestep" file="good.yaml" time="1.250">
-      <system-out>)" +
-                     measured + R"(</system-out>
-    </testcase>
-    <testcase name="bad" classname="sidestep" file="bad.yaml" time="1.250">
-      <failure message="FALL at 1.000 s: low" type="FALL">FALL at 1.000 s: low&#10;B&#10;)" +
-                     measured + R"(</failure>
-    </testcase>
-    <testcase name="ugly" classname="sidestep" file="ugly.yaml" time="1.250">
-      <error message="ERROR: signal &lt;11&gt;" type="ERROR">ERROR: signal &lt;11&gt;&#10;)" +
-                     measured + R"(</error>
-    </testcase>
-  </testsuite>
+                     totals + R"( timestamp="2026-11-26T20:00:00" hostname="a host">
+    <testcase name="good" classname="sidestep.robot" time="1.250">
+)" + out("good", "") +
+                     R"(    <testcase name="bad" classname="sidestep.robot" time="1.250">
+      <failure message="FALL at 1.000 s: low" type="FALL">FALL at 1.000 s: low&#10;B&#10;</failure>
+)" + out("bad", "FALL at 1.000 s: low&#10;B&#10;") +
+                     R"(    <testcase name="ugly" classname="sidestep.robot" time="1.250">
+      <error message="ERROR: signal &lt;11&gt;" type="ERROR">ERROR: signal &lt;11&gt;&#10;</error>
+)" + out("ugly", "ERROR: signal &lt;11&gt;&#10;") +
+                     R"(  </testsuite>
 </testsuites>
 )");
 }
