@@ -8,6 +8,7 @@
 
 #include "controller/types/gravity.h"
 #include "models/support/require.h"
+#include "sim/scenario/push_ticks.h"
 #include "sim/verdict/footsteps.h"
 
 namespace sidestep {
@@ -131,7 +132,7 @@ double RunMeters::max_slip_m() const {
 Tick RunMeters::FirstPushStart() const {
   std::optional<Tick> first;
   for (const Push& push : pushes_) {
-    const Tick start = TickAt(push.start_s, tick_s_);
+    const Tick start = TicksOf(push, tick_s_).first;
     first = std::min(first.value_or(start), start);
   }
   return first.value_or(0);
