@@ -2,6 +2,7 @@
 #include "sim/episode/episode.h"
 
 #include "models/support/require.h"
+#include "sim/scenario/push_ticks.h"
 #include "sim/world/make_world.h"
 
 namespace sidestep {
@@ -32,7 +33,7 @@ Episode ForkWithPushes(const Episode& episode, const std::vector<Push>& pushes) 
   const double tick_s = episode.scenario.world.step_s;
   for (const std::vector<Push>& some : {episode.scenario.pushes, pushes}) {
     for (const Push& push : some) {
-      const Tick start = TickAt(push.start_s, tick_s);
+      const Tick start = TicksOf(push, tick_s).first;
       SIDESTEP_REQUIRE(start > episode.tick || episode.tick == 0, start);
     }
   }

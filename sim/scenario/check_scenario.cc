@@ -16,6 +16,8 @@ namespace {
 // Decimal periods are not exact in binary; 1e-6 of a step is far above their rounding.
 constexpr double kRatioTolerance = 1e-6;
 constexpr double kTimeTolerance_s = 1e-9;
+// Of a physics step: what is shorter is no push, but a slip of the pen or rounded to nothing.
+constexpr double kShortestPush = 1e-3;
 
 bool IsWholeNumberOf(double unit_s, double period_s) {
   const double ratio = period_s / unit_s;
@@ -181,6 +183,12 @@ void CheckPushes(const Scenario& scenario, const ConfigTree& root) {
       FailAtPath(root, path + ".body",
                  "= '" + push.body + "' is no body or frame of '" + scenario.robot_name + "'; " +
                      DidYouMean(push.body, parts, "known ones"));
+    }
+    if (push.duration_s < kShortestPush * scenario.world.step_s) {
+      FailAtPath(root, path + ".duration_s",
+                 "= " + NumberText(push.duration_s) +
+                     " is less than a thousandth of a physics step (world.step_s = " +
+                     NumberText(scenario.world.step_s) + ")");
     }
     const double end_s = push.start_s + push.duration_s;
     if (end_s > scenario.duration_s + kTimeTolerance_s) {

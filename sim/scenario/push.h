@@ -41,8 +41,8 @@ struct EnumNames<PushFrame> {
 };
 
 /// A scripted force at a point of a body.
-/// Its impulse is MeanShare(profile) |force_N| duration_s. start_s and duration_s are rounded to
-/// ticks where the force acts. Two pushes at once add up.
+/// Its impulse is MeanShare(profile) |force_N| duration_s, wherever start and end are between two
+/// physics steps (push_ticks.h). Two pushes at once add up.
 struct Push {
   std::string body;                                  ///< A body or a frame (site) of the robot.
   Eigen::Vector3d force_N{Eigen::Vector3d::Zero()};  ///< In axes of `frame`.

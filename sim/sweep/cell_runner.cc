@@ -11,6 +11,7 @@
 
 #include "sim/episode/run_episode.h"
 #include "sim/process/interrupt.h"
+#include "sim/scenario/push_ticks.h"
 #include "sim/scenario/write_scenario.h"
 
 namespace sidestep {
@@ -88,7 +89,7 @@ std::string PrefixText(const Scenario& scenario) {
 Tick FirstPushTick(const Scenario& scenario) {
   Tick first = -1;
   for (const Push& push : scenario.pushes) {
-    const Tick start = TickAt(push.start_s, scenario.world.step_s);
+    const Tick start = TicksOf(push, scenario.world.step_s).first;
     first = first < 0 ? start : std::min(first, start);
   }
   return first;

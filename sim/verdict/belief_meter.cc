@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scenario/push_ticks.h"
+
 namespace sidestep {
 namespace {
 
@@ -29,8 +31,8 @@ BeliefMeter::BeliefMeter(const std::vector<Push>& pushes, double tick_s) : tick_
 void BeliefMeter::ReplacePushes(const std::vector<Push>& pushes) {
   windows_.clear();
   for (const Push& push : pushes) {
-    const double end_s = push.start_s + push.duration_s + kAfterPush_s;
-    windows_.push_back({TickAt(push.start_s, tick_s_), TickAt(end_s, tick_s_)});
+    const PushTicks ticks = TicksOf(push, tick_s_);
+    windows_.push_back({ticks.first, ticks.beyond + TickAt(kAfterPush_s, tick_s_)});
   }
 }
 

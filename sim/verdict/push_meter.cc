@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/scenario/push_ticks.h"
+
 namespace sidestep {
 namespace {
 
@@ -31,8 +33,9 @@ PushMeter::PushMeter(const std::vector<Push>& pushes, double tick_s)
   });
   const Tick hold = TickAt(kHold_s, tick_s);
   for (const std::size_t push : by_start) {
-    const Tick start = TickAt(pushes[push].start_s, tick_s);
-    const Tick end = TickAt(pushes[push].start_s + pushes[push].duration_s, tick_s);
+    const PushTicks ticks = TicksOf(pushes[push], tick_s);
+    const Tick start = ticks.first;
+    const Tick end = ticks.beyond;
     if (disturbances_.empty() || start - disturbances_.back().end > hold) {
       if (!disturbances_.empty()) disturbances_.back().window_end = start;
       disturbances_.emplace_back().start = start;

@@ -8,6 +8,7 @@
 
 #include "controller/types/gravity.h"
 #include "models/support/require.h"
+#include "sim/scenario/push_ticks.h"
 #include "sim/verdict/footsteps.h"
 
 namespace sidestep {
@@ -131,7 +132,7 @@ double RunMeters::max_slip_m() const {
 Tick RunMeters::FirstPushStart() const {
   std::optional<Tick> first;
   for (const Push& push : pushes_) {
-    const Tick start = TickAt(push.start_s, tick_s_);
+    const Tick start = TicksOf(push, tick_s_).first;
     first = std::min(first.value_or(start), start);
   }
   return first.value_or(0);
@@ -157,6 +158,10 @@ void RunMeters::AddTruthMetrics(Metrics& metrics) const {
       {"fall_time_s", has_fallen ? SecondsAt(*fall_.fall_tick(), tick_s_) : kNaN},
       {"min_base_height_m", first_tick_ ? fall_.min_height_m() : kNaN},
       {"max_base_height_m", first_tick_ ? fall_.max_height_m() : kNaN},
+      {"min_base_height_ratio",
+       first_tick_ ? fall_.min_height_m() / fall_.nominal_height_m() : kNaN},
+      {"max_base_height_ratio",
+       first_tick_ ? fall_.max_height_m() / fall_.nominal_height_m() : kNaN},
       {"max_tilt_rad", fall_.max_tilt_rad()},
       {"max_angular_momentum_kgm2ps", max_angular_momentum_kgm2ps_},
       {"max_slip_m", max_slip_m()},
@@ -198,8 +203,10 @@ void RunMeters::AddControllerMetrics(Metrics& metrics) const {
   metrics.insert({
       {"planned_mean_step_adjustment_m", MeanOrNaN(adjustments_m)},
       {"planned_max_step_adjustment_m", LargestOrZero(adjustments_m)},
-      {"mpc_failures", static_cast<double>(solver_.mpc_failures())},
-      {"wbc_failures", static_cast<double>(solver_.wbc_failures())},
+      {"mpc_failures", static_cast<double>(solver_.count(Solver::kMpc).failures)},
+      {"wbc_failures", static_cast<double>(solver_.count(Solver::kWholeBody).failures)},
+      {"step_failures", static_cast<double>(solver_.count(Solver::kStep).failures)},
+      {"max_solver_failure_ratio", solver_.max_failure_ratio()},
       {"solver_fallbacks", static_cast<double>(solver_.fallbacks())},
       {"max_cone_violation_N", solver_.max_cone_violation_N()},
       {"max_box_violation_m", plan_.max_box_violation_m()},

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/pushes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "models/support/require.h"
+#include "sim/scenario/push_ticks.h"
 
 namespace sidestep {
 
 double PushShare(const Push& push, Tick tick, double tick_s) {
-  const Tick start = TickAt(push.start_s, tick_s);
-  const Tick end = TickAt(push.start_s + push.duration_s, tick_s);
-  if (tick < start || tick >= end) return 0.0;
-  if (push.profile == PushProfile::kConstant) return 1.0;
-  // The middle of the tick, so that the sum over ticks is the integral to second order.
-  const double phase = (static_cast<double>(tick - start) + 0.5) / static_cast<double>(end - start);
-  return std::sin(std::numbers::pi * phase);
+  const PushTicks ticks = TicksOf(push, tick_s);
+  const double from = std::max(ticks.start, static_cast<double>(tick));
+  const double to = std::min(ticks.end, static_cast<double>(tick + 1));
+  if (from >= to) return 0.0;
+  if (push.profile == PushProfile::kConstant) return to - from;
+  // The integral of sin(pi (t - start) / length) from `from` to `to`.
+  const double length = ticks.end - ticks.start;
+  const double rate = std::numbers::pi / length;
+  return (std::cos(rate * (from - ticks.start)) - std::cos(rate * (to - ticks.start))) / rate;
 }
 
 double HeadingRad(const Eigen::Quaterniond& q_WB) {

@@ -3,7 +3,8 @@
 // pushes: scripted forces as they act at a tick, in W.
 //
 // In : the scenario's pushes; where the pushed bodies are now.     Out: force and point in W.
-// A push acts on the ticks with start <= tick < start + duration, rounded to whole ticks.
+// A tick feels a push by the share of it that the push takes, so that impulses are exact whenever a
+// push begins and however short it is.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -22,8 +23,8 @@ struct PushedPose {
   Eigen::Matrix3d R_WO{Eigen::Matrix3d::Identity()};
 };
 
-/// Share of force_N that acts during `tick`: 0 outside the push; inside, 1 for a constant one and
-/// for a half sine its value in the middle of the tick.
+/// Share of force_N that acts during `tick`: the mean over the tick of what the push's profile has
+/// it be, which is 0 outside the push; exactly 1 on a tick that a constant push fills.
 double PushShare(const Push& push, Tick tick, double tick_s);
 
 /// Yaw of B: angle about z from W's x to the horizontal part of B's x (rad).

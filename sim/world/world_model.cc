@@ -2,12 +2,14 @@
 #include "sim/world/world_model.h"
 
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "models/mjcf/ground.h"
 #include "models/support/config_node.h"
+#include "models/support/require.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/box_contacts.h"
 #include "sim/world/ground.h"
@@ -18,6 +20,7 @@ namespace {
 constexpr double kFootPlateThickness_m = 0.02;  // of the centroidal plant's drawn feet
 constexpr double kSlabDepth_m = 1.0;            // deeper than any foot gets, so its top is nearest
 constexpr int kWorldBody = 0;                   // carries the ground
+constexpr char kOtherFriction[] = " 0.005 0.0001 0.0001";  // of a pair: MuJoCo's defaults
 
 // Sky, light and how they look.
 std::string Surroundings() {
@@ -150,8 +153,8 @@ struct Inhabitant {
   const RobotModel* model{nullptr};  ///< Whose listed contacts it has; may be null.
 };
 
-MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
-                   const WorldParams& params) {
+std::string WorldText(const std::string& name, const Inhabitant& inhabitant,
+                      const WorldParams& params) {
   std::ostringstream xml;
   xml << "<mujoco model=\"" << name << "_world\">"
       << "<option timestep=\"" << NumberText(params.step_s) << "\" integrator=\"Euler\"/>"
@@ -160,7 +163,13 @@ MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
   xml << inhabitant.xml;
   if (inhabitant.model != nullptr) xml << ListedContacts(*inhabitant.model, params.ground);
   xml << "</mujoco>";
-  MjModelPtr model = CompileMjcf(xml.str(), inhabitant.robot_xml, inhabitant.file);
+  return xml.str();
+}
+
+MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
+                   const WorldParams& params) {
+  MjModelPtr model =
+      CompileMjcf(WorldText(name, inhabitant, params), inhabitant.robot_xml, inhabitant.file);
   SetFriction(params.friction, model.get());
   ScaleMasses(params.mass_scale, model.get());
   if (params.ground.empty()) return model;
@@ -172,17 +181,63 @@ MjModelPtr Compile(const std::string& name, const Inhabitant& inhabitant,
   return model;
 }
 
+Inhabitant RobotIn(const RobotDescription& robot, ModelDetail detail) {
+  const RobotModel& model = RequireModel(robot);
+  return {"<include file=\"robot.xml\"/>", model.mjcf(detail), model.file, &model};
+}
+
+Inhabitant StandInOf(const RobotDescription& robot) {
+  return {CentroidalStandIn(robot), "", robot.file, nullptr};
+}
+
+// What an <include> of the document would put in its place.
+std::string InsideOf(const std::string& mjcf) {
+  const std::size_t tag = mjcf.find("<mujoco");
+  const std::size_t begin = mjcf.find('>', tag);
+  const std::size_t end = mjcf.rfind("</mujoco>");
+  SIDESTEP_REQUIRE(tag != std::string::npos && end != std::string::npos && begin < end, tag);
+  return mjcf.substr(begin + 1, end - begin - 1);
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// What SetFriction() does, in words: the first number of each geom's friction is the world's, while
+// pairs of the robot's own shapes keep MuJoCo's default.
+std::string WithFriction(const std::string& robot_xml, const std::string& friction) {
+  static const std::regex kSliding("(\\sfriction\\s*=\\s*[\"']\\s*)[^\\s\"']+");
+  return "<default><geom friction=\"" + friction + "\"/><pair friction=\"1 1" + kOtherFriction +
+         "\"/></default>" + std::regex_replace(robot_xml, kSliding, "$01" + friction);
+}
+
 }  // namespace
 
 MjModelPtr CompileRobotWorld(const RobotDescription& robot, const WorldParams& params,
                              ModelDetail detail) {
-  const RobotModel& model = RequireModel(robot);
-  return Compile(robot.name,
-                 {"<include file=\"robot.xml\"/>", model.mjcf(detail), model.file, &model}, params);
+  return Compile(robot.name, RobotIn(robot, detail), params);
 }
 
 MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldParams& params) {
-  return Compile(robot.name, {CentroidalStandIn(robot), "", robot.file, nullptr}, params);
+  return Compile(robot.name, StandInOf(robot), params);
+}
+
+std::string DrawnWorldMjcf(const RobotDescription& robot) {
+  const WorldParams params;
+  const std::string friction = NumberText(params.friction);
+  Inhabitant inhabitant = robot.model ? RobotIn(robot, ModelDetail::kDrawn) : StandInOf(robot);
+  RobotModel model;
+  if (robot.model) {
+    inhabitant.xml = WithFriction(InsideOf(inhabitant.robot_xml), friction);
+    model.ground_pairs =
+        Replaced(inhabitant.model->ground_pairs, "<pair ",
+                 "<pair friction=\"" + friction + " " + friction + kOtherFriction + "\" ");
+    inhabitant.model = &model;
+  }
+  return WorldText(robot.name, inhabitant, params);
 }
 
 MjModelPtr CompileDrawnWorld(const Scenario& scenario) {

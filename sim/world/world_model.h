@@ -2,6 +2,8 @@
 #pragma once
 // world_model: the mjModel of a world: robot, floor, light and sky.
 
+#include <string>
+
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_description.h"
 #include "sim/scenario/world_params.h"
@@ -19,6 +21,12 @@ MjModelPtr CompileRobotWorld(const RobotDescription& robot, const WorldParams& p
 /// For the centroidal plant, which has no bodies, a stand-in to draw: a ball `com` and one body per
 /// foot, each with a free joint, so that qpos is what a recording holds.
 MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldParams& params);
+
+/// The world of a scenario with only defaults, as one MJCF document that MuJoCo by itself loads as
+/// the same model, number for number: the robot with what is only drawn, floor and light; or the
+/// stand-in of a robot without a model.
+/// Throws ConfigError and ContractViolation where its model is none.
+std::string DrawnWorldMjcf(const RobotDescription& robot);
 
 /// What a recording of `scenario` is drawn with: the one or the other, by its plant.
 MjModelPtr CompileDrawnWorld(const Scenario& scenario);

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <mujoco/mujoco.h>
-
-#include <array>
 #include <cstdio>
 #include <memory>
 
@@ -49,15 +46,7 @@ void Print(const RobotDescription& robot) {
 
 // The world as a scenario with only defaults compiles it: robot, floor, light.
 void SaveMjcf(const RobotDescription& robot, const std::filesystem::path& file) {
-  const MjModelPtr model = robot.model
-                               ? CompileRobotWorld(robot, WorldParams{}, ModelDetail::kDrawn)
-                               : CompileCentroidalStandIn(robot, WorldParams{});
-  WriteTextFile(file, "");  // makes its folder, or says why not
-  std::array<char, 1000> error{};
-  if (mj_saveLastXML(file.c_str(), model.get(), error.data(), static_cast<int>(error.size())) ==
-      0) {
-    throw ConfigError(file.string() + ": error: can't be written: " + error.data());
-  }
+  WriteTextFile(file, DrawnWorldMjcf(robot));
   std::printf("%s\n", file.c_str());
 }
 

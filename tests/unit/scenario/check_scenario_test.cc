@@ -290,6 +290,10 @@ TEST_F(CheckScenarioTest, Pushes) {
       << "the reduced model has no trunk";
   EXPECT_EQ(ErrorOfEdit("duration_s: 6", "duration_s: 4.05"),
             "a.yaml:14:5: error: pushes.1 ends at 4.1 s, after the scenario's duration_s = 4.05");
+  EXPECT_EQ(ErrorOfEdit("duration_s: 0.1", "duration_s: 5e-7"),
+            "a.yaml:14:76: error: pushes.1.duration_s = 5e-07 is less than a thousandth of a "
+            "physics step (world.step_s = 0.001)");
+  EXPECT_EQ(ErrorOfEdit("duration_s: 0.1", "duration_s: 2e-6"), "no error");
 }
 
 TEST_F(CheckScenarioTest, ARobotInAPlaneIsAskedForNothingSideways) {

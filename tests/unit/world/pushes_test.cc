@@ -41,8 +41,7 @@ TEST(PushesTest, HalfSineGivesTwoOverPiOfItsPeakTimesDuration) {
   Push push = SidePush();
   push.profile = PushProfile::kHalfSine;
   const Eigen::Vector3d expected_Ns = 2.0 / std::numbers::pi * 0.2 * push.force_N;
-  // The midpoint rule over n = 200 ticks errs by pi^2 / (24 n^2) = 1e-5 of it.
-  EXPECT_LT((Impulse(push, {}, 0.0) - expected_Ns).norm(), 2e-5 * expected_Ns.norm());
+  EXPECT_LT((Impulse(push, {}, 0.0) - expected_Ns).norm(), 1e-12);
   EXPECT_GT(PushShare(push, 200, kTick_s), 0.9999);
   EXPECT_LT(PushShare(push, 100, kTick_s), 0.01);
 }
@@ -53,6 +52,32 @@ TEST(PushesTest, PushActsFromItsStartUntilJustBeforeItsEnd) {
   EXPECT_EQ(PushShare(push, 100, kTick_s), 1.0);
   EXPECT_EQ(PushShare(push, 299, kTick_s), 1.0);
   EXPECT_EQ(PushShare(push, 300, kTick_s), 0.0);
+}
+
+TEST(PushesTest, ImpulseIsExactWhereverAPushBeginsAndEndsBetweenTicks) {
+  for (const PushProfile profile : {PushProfile::kConstant, PushProfile::kHalfSine}) {
+    for (const double start_s : {0.1, 0.10004, 0.1005, 0.1009, 0.2}) {
+      for (const double duration_s : {0.00001, 0.0005, 0.001, 0.0015, 0.0501}) {
+        Push push = SidePush();
+        push.profile = profile;
+        push.start_s = start_s;
+        push.duration_s = duration_s;
+        const Eigen::Vector3d expected_Ns = MeanShare(profile) * duration_s * push.force_N;
+        EXPECT_LT((Impulse(push, {}, 0.0) - expected_Ns).norm(), 1e-12)
+            << EnumName(profile) << " from " << start_s << " for " << duration_s;
+      }
+    }
+  }
+}
+
+TEST(PushesTest, TickFeelsTheShareOfItThatThePushTakes) {
+  Push push = SidePush();
+  push.start_s = 0.10025;
+  push.duration_s = 0.0015;
+  EXPECT_EQ(PushShare(push, 99, kTick_s), 0.0);
+  EXPECT_NEAR(PushShare(push, 100, kTick_s), 0.75, 1e-9);
+  EXPECT_NEAR(PushShare(push, 101, kTick_s), 0.75, 1e-9);
+  EXPECT_EQ(PushShare(push, 102, kTick_s), 0.0);
 }
 
 TEST(PushesTest, WorldFrameIgnoresBodyAndHeading) {
