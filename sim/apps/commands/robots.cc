@@ -84,7 +84,10 @@ void AddRobotsCommand(CLI::App& app, int& exit_code) {
   command->add_option("ROBOT", arguments->robot, "A shipped robot, or a path to a robot.yaml");
   command->add_option("--mjcf", arguments->mjcf, "Write its MJCF, with what is only drawn")
       ->type_name("FILE");
-  command->callback([arguments, &exit_code] { exit_code = Robots(*arguments); });
+  AddRobotsImportCommand(*command, exit_code);
+  command->callback([command, arguments, &exit_code] {
+    if (command->get_subcommands().empty()) exit_code = Robots(*arguments);
+  });
 }
 
 }  // namespace sidestep
