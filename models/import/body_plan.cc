@@ -19,6 +19,7 @@ constexpr double kMirrorMass = 0.2;       // mirrored limbs differ in mass by le
 constexpr double kMirrorHeight = 0.05;    // and in height by less than this share of the robot's
 constexpr double kLeastLateral_m = 0.01;  // limbs nearer than that to the middle have no side
 constexpr std::size_t kMinLegJoints = 2;  // with fewer it is not a leg that we could name
+constexpr double kLeastClearance = 0.1;   // of the robot's height: all but legs is above the feet
 constexpr double kMainShare = 0.5;        // of a branch's mass, where a limb forks
 
 class PlanFinder {
@@ -116,11 +117,31 @@ class PlanFinder {
         if (chain.size() != Chain(pelvis, ends[k]).size() || chain.size() < kMinLegJoints) continue;
         if (!MirrorEachOther(ends[i], ends[k])) continue;
         plan_.pelvis = pelvis;
+        RequireLowest(ends[i], ends[k]);
         plan_.legs = {Leg(ends[i]), Leg(ends[k])};
         return;
       }
     }
     Fail("has no two legs: no two branches of as many joints mirror each other");
+  }
+
+  /// Arms of a robot without legs end above the rest of it.
+  void RequireLowest(int left, int right) const {
+    std::set<int> in_limbs;
+    for (const int end : {left, right}) {
+      for (const int link : Subtree(robot_, Joint(Chain(plan_.pelvis, end).front()).child)) {
+        in_limbs.insert(link);
+      }
+    }
+    const double feet = std::max(Lowest(left), Lowest(right));
+    for (const int link : robot_.order) {
+      const bool has_mass = robot_.links[static_cast<std::size_t>(link)].has_mass();
+      if (in_limbs.count(link) > 0 || !has_mass ||
+          Place(link).z() > feet + kLeastClearance * Height())
+        continue;
+      Fail("has no two legs that stand on the ground: '" + Name(link) +
+           "' is no higher than the ends of '" + Name(left) + "' and '" + Name(right) + "'");
+    }
   }
 
   Limb Leg(int end) {

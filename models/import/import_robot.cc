@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/import/import_robot.h"
 
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -8,7 +9,7 @@
 #include "models/import/imported_robot.h"
 #include "models/import/read_source.h"
 #include "models/import/replace_meshes.h"
-#include "models/import/side_names.h"
+#include "models/import/self_collision.h"
 #include "models/import/text.h"
 #include "models/import/write_robot_yaml.h"
 #include "models/import/write_scenarios.h"
@@ -19,6 +20,8 @@ namespace sidestep::importer {
 namespace {
 
 constexpr double kEarth_mps2 = 9.81;
+// How far the arms hang from the body: the first of these with which they touch nothing.
+constexpr std::array<double, 4> kSpreads_rad{0.15, 0.25, 0.4, 0.6};
 constexpr double kFeetApart_m = 0.02;  // least gap between the soles
 
 std::string PlainName(const std::string& name) {
@@ -45,6 +48,7 @@ class Import {
     ReplaceCollisionMeshes(&meshes_, &it_.robot, &report_.done);
     AddTrunkFrames();
     FindStart();
+    NameSelfCollision();
     ChooseFigures();
     Tell();
     WriteFiles();
@@ -94,7 +98,17 @@ class Import {
     StartPoseTask task;
     for (std::size_t side = 0; side < 2; ++side) task.sole_frames[side] = it_.feet[side].frame;
     task.least_width_m = kFeetApart_m + 0.5 * (it_.feet[0].sole.width_m + it_.feet[1].sole.width_m);
-    it_.start = FindStartPose(it_.robot, it_.plan, task);
+    std::size_t fewest_near = 0;
+    for (const double spread_rad : kSpreads_rad) {
+      task.arm_spread_rad = spread_rad;
+      const StartPose start = FindStartPose(it_.robot, it_.plan, task);
+      const std::size_t near = CountArmsTooNear(it_.robot, it_.plan, start.posture);
+      if (spread_rad == kSpreads_rad[0] || (start.is_found && near < fewest_near)) {
+        it_.start = start;
+        fewest_near = near;
+      }
+      if (fewest_near == 0 || !it_.start.is_found) break;
+    }
     if (!it_.start.is_found) {
       throw ConfigError(file_ +
                         ": error: found no start: with the knees bent, soles flat and the CoM "
@@ -104,6 +118,17 @@ class Import {
     }
     DropShapesInTheGround(it_.start.posture, {it_.plan.legs[0].end, it_.plan.legs[1].end},
                           &it_.robot, &report_.done);
+  }
+
+  void NameSelfCollision() {
+    const auto names = [&](const std::vector<int>& links) {
+      std::vector<std::string> list;
+      for (const int link : links) list.push_back(Link(link).name);
+      return list;
+    };
+    for (const auto& [first, second] : FindSelfCollision(it_.robot, it_.plan, it_.start.posture)) {
+      it_.self_collision.push_back({names(first), names(second)});
+    }
   }
 
   void ChooseFigures() {

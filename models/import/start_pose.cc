@@ -19,6 +19,7 @@ constexpr double kMostStep = 0.3;     // rad or m an iteration
 constexpr double kDamping = 1e-8;     // of the Jacobian's normal matrix, whose entries are near 1
 // The shares of a stretched leg that are tried, the one of the shipped robots first.
 constexpr std::array<double, 6> kStretches{0.93, 0.95, 0.9, 0.97, 0.86, 0.8};
+constexpr double kMostWidth = 0.3;  // of the legs' length: a walk wider than that sways too much
 constexpr std::array<double, 5> kWidths{1.0, 1.15, 0.9, 1.3, 1.5};  // over the one at zero
 
 using Residual = Eigen::Matrix<double, kUnknowns, 1>;
@@ -165,7 +166,8 @@ StartPose FindStartPose(const SourceRobot& robot, const BodyPlan& plan, const St
     double leg_m = 0.0;
     for (const Limb& leg : plan.legs) leg_m += 0.5 * BendKnee(robot, leg, stretch, &bent);
     for (const double width : kWidths) {
-      const double width_m = std::max(natural_m * width, task.least_width_m);
+      const double width_m =
+          std::max(std::min(natural_m, kMostWidth * leg_m) * width, task.least_width_m);
       StartPose pose = solver.Solve(bent, width_m, stretch * leg_m);
       if (pose.residual >= best.residual) continue;
       best = pose;
