@@ -45,6 +45,7 @@ void Print(const RobotDescription& robot) {
   std::printf("  feet    %s\n", Listed(feet).c_str());
   std::printf("  bodies  %s\n", Listed(names.bodies).c_str());
   std::printf("  frames  %s\n", Listed(names.frames).c_str());
+  for (const std::string& notice : robot.notices) std::printf("%s\n", notice.c_str());
 }
 
 // The world as a scenario with only defaults compiles it: robot, floor, light.
