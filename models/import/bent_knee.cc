@@ -9,7 +9,7 @@
 namespace sidestep::importer {
 namespace {
 
-constexpr int kSamples = 400;      // of half a turn or more: 0.02 rad
+constexpr int kSamples = 400;      // of half a turn or more: 0.03 rad
 constexpr double kRoom_rad = 1.0;  // a knee with as much on both sides may bend either way
 
 /// Distances along a joint's range.

@@ -70,7 +70,10 @@ bool IsFinite(const Mesh& mesh) {
 std::optional<Mesh> LoadMesh(const std::filesystem::path& file, std::string* why) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  *why = error ? "can't be read" : bytes > kMaxBytes ? "is larger than 200 MB" : "";
+  *why = error               ? "can't be read"
+         : bytes == 0        ? "is empty"
+         : bytes > kMaxBytes ? "is larger than 200 MB"
+                             : "";
   if (!why->empty()) return std::nullopt;
   const std::string content = ReadTextFile(file);
   if (content.rfind("version https://git-lfs", 0) == 0) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/import/posture.h"
 
-#include <algorithm>
-
 namespace sidestep::importer {
 namespace {
 
@@ -27,7 +25,10 @@ Posture ZeroPosture(const SourceRobot& robot) {
 }
 
 Placement::Placement(const SourceRobot& robot, const Posture& posture)
-    : robot_(&robot), X_WL_(robot.links.size(), Eigen::Isometry3d::Identity()) {
+    : robot_(&robot),
+      X_WL_(robot.links.size(), Eigen::Isometry3d::Identity()),
+      mass_kg_(robot.links.size(), 0.0),
+      moment_W_(robot.links.size(), Eigen::Vector3d::Zero()) {
   for (const int link : robot.order) {
     const int above = robot.joint_above[static_cast<std::size_t>(link)];
     Eigen::Isometry3d& X = X_WL_[static_cast<std::size_t>(link)];
@@ -37,6 +38,16 @@ Placement::Placement(const SourceRobot& robot, const Posture& posture)
     }
     const SourceJoint& joint = JointAt(robot, above);
     X = X_WL(joint.parent) * joint.X_PC * Motion(joint, posture.q[above]);
+  }
+  for (std::size_t i = robot.order.size(); i-- > 0;) {  // children first
+    const auto link = static_cast<std::size_t>(robot.order[i]);
+    const MassProperties& mass = robot.links[link].mass;
+    mass_kg_[link] += mass.mass_kg;
+    moment_W_[link] += mass.mass_kg * (X_WL_[link] * mass.com_m);
+    if (robot.joint_above[link] < 0) continue;
+    const auto parent = static_cast<std::size_t>(JointAt(robot, robot.joint_above[link]).parent);
+    mass_kg_[parent] += mass_kg_[link];
+    moment_W_[parent] += moment_W_[link];
   }
 }
 
@@ -49,33 +60,31 @@ Eigen::Vector3d Placement::axis_W(int joint) const {
 }
 
 Eigen::Vector3d Placement::CenterOfMass_W(int link) const {
-  double mass_kg = 0.0;
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  for (const int below : Subtree(*robot_, link)) {
-    const MassProperties& mass = robot_->links[static_cast<std::size_t>(below)].mass;
-    mass_kg += mass.mass_kg;
-    moment += mass.mass_kg * (X_WL(below) * mass.com_m);
-  }
-  if (mass_kg <= 0.0) return X_WL(link).translation();
-  return moment / mass_kg;
+  const auto index = static_cast<std::size_t>(link);
+  if (mass_kg_[index] <= 0.0) return X_WL(link).translation();
+  return moment_W_[index] / mass_kg_[index];
 }
 
 Eigen::Matrix<double, 6, 1> Placement::Twist(int joint, int link) const {
+  int above = robot_->joint_above[static_cast<std::size_t>(link)];
+  while (above >= 0 && above != joint) {
+    above = robot_->joint_above[static_cast<std::size_t>(JointAt(*robot_, above).parent)];
+  }
   Eigen::Matrix<double, 6, 1> twist = Eigen::Matrix<double, 6, 1>::Zero();
-  const std::vector<int> above = JointsBetween(*robot_, robot_->root, link);
-  if (std::find(above.begin(), above.end(), joint) == above.end()) return twist;
+  if (above < 0) return twist;
   const Eigen::Vector3d axis = axis_W(joint);
   if (JointAt(*robot_, joint).kind == JointKind::kPrismatic) {
     twist.head<3>() = axis;
-    return twist;
+  } else {
+    twist << axis.cross(X_WL(link).translation() - X_WJ(joint).translation()), axis;
   }
-  twist << axis.cross(X_WL(link).translation() - X_WJ(joint).translation()), axis;
   return twist;
 }
 
 Eigen::Vector3d Placement::ComVelocity(int joint) const {
   const int child = JointAt(*robot_, joint).child;
-  const double share = SubtreeMass_kg(*robot_, child) / TotalMass_kg(*robot_);
+  const double share =
+      mass_kg_[static_cast<std::size_t>(child)] / mass_kg_[static_cast<std::size_t>(robot_->root)];
   const Eigen::Vector3d axis = axis_W(joint);
   if (JointAt(*robot_, joint).kind == JointKind::kPrismatic) return share * axis;
   return share * axis.cross(CenterOfMass_W(child) - X_WJ(joint).translation());

@@ -41,6 +41,9 @@ class Placement {
  private:
   const SourceRobot* robot_;
   std::vector<Eigen::Isometry3d> X_WL_;
+  // Of each link and all below it.
+  std::vector<double> mass_kg_;
+  std::vector<Eigen::Vector3d> moment_W_;  // mass times CoM
 };
 
 /// Joints from `link` up to (not including what is above) `ancestor`, the lowest first.

@@ -18,19 +18,19 @@ class Problems {
   /// @param line  From 1; 0 where no line is to blame.
   void Add(int line, const std::string& what) {
     const std::string place = line > 0 ? file_ + ":" + std::to_string(line) : file_;
-    text_ += (text_.empty() ? "" : "\n") + place + ": error: " + what;
+    lines_.push_back(place + ": error: " + what);
   }
 
   /// Throws ConfigError with every line if there is one.
   void ThrowIfAny() const {
-    if (!text_.empty()) throw ConfigError(text_);
+    if (!lines_.empty()) throw ConfigError(lines_);
   }
 
   const std::string& file() const { return file_; }
 
  private:
   std::string file_;
-  std::string text_;
+  std::vector<std::string> lines_;
 };
 
 /// What was done, one sentence each, for the report.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "models/import/xml_values.h"
-#include "models/mjcf/mjcf.h"
+#include "models/support/xml_bounds.h"
 
 namespace sidestep::importer {
 namespace {
@@ -181,8 +181,7 @@ class SourceReader {
 }  // namespace
 
 SourceRobot ReadSource(const std::filesystem::path& urdf, Notes* notes) {
-  const std::string text = ReadTextFile(urdf);
-  RequireShallow(text, urdf);
+  const std::string text = WithoutStrayBytes(ReadXmlText(urdf));
   TiXmlDocument document;
   document.Parse(text.c_str());
   if (document.Error()) {

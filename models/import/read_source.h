@@ -16,7 +16,7 @@ namespace sidestep::importer {
 /// What other programs read (transmission, gazebo, sensor ...) is passed over; `notes` says so.
 /// Throws ConfigError with every problem in a line `file:line: error: ...`: bad XML or numbers,
 /// names that are missing, unknown or there twice, joints that form no tree, planar joints, a file
-/// of xacro, more than 100 levels of nesting or 2000 links.
+/// of xacro, more than xml_bounds.h allows, or more than 2000 links.
 SourceRobot ReadSource(const std::filesystem::path& urdf, Notes* notes);
 
 }  // namespace sidestep::importer

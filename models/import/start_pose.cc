@@ -12,7 +12,7 @@ namespace sidestep::importer {
 namespace {
 
 constexpr int kUnknowns = 15;  // 12 joints, 3 of the root's place
-constexpr int kMaxIterations = 300;
+constexpr int kMaxIterations = 100;
 constexpr double kSolved = 1e-6;      // m and rad
 constexpr double kConverged = 1e-12;  // likewise
 constexpr double kMostStep = 0.3;     // rad or m an iteration

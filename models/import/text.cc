@@ -17,7 +17,7 @@ std::string Figure(double value, int digits) {
   const double rounded = Rounded(value, digits);
   std::array<char, 400> text{};
   const double magnitude = std::abs(rounded);
-  const bool is_plain = rounded == 0.0 || (magnitude >= 1e-6 && magnitude < 1e9);
+  const bool is_plain = rounded == 0.0 || (magnitude >= 1e-6 && magnitude < 1e12);
   const auto format = is_plain ? std::chars_format::fixed : std::chars_format::scientific;
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), rounded == 0.0 ? 0.0 : rounded, format);

@@ -73,8 +73,8 @@ class YamlWriter {
       out_ << "  " << YamlText(it_.Joint(joint)) << ": " << Figure(q, kPoseDigits) << "\n";
     }
     if (!it_.plan.locked.empty()) {
-      out_ << "\n# Welded where they are at zero; name one in `joints` to move it.\nlocked_joints: "
-           << List(NamesOf(it_.plan.locked), "  ") << "\n";
+      out_ << "\n# All joints that `joints` does not name are welded at zero: "
+           << it_.plan.locked.size() << " of them.\nlocked: rest\n";
     }
   }
 

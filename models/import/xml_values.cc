@@ -5,13 +5,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "models/support/config_error.h"
 #include "models/support/parse_number.h"
 
 namespace sidestep::importer {
 namespace {
 
-constexpr int kMaxDepth = 100;  // the parser recurses; a URDF needs 6
 constexpr double kMaxNumber = 1e12;
 
 /// Words between white space.
@@ -29,46 +27,11 @@ std::optional<double> NumberIn(std::string word) {
                                                                              : std::nullopt;
 }
 
-/// Of the tag that begins at `begin`: its '>', which no quotes hide.
-std::size_t EndOfTag(const std::string& xml, std::size_t begin) {
-  char quote = '\0';
-  for (std::size_t i = begin; i < xml.size(); ++i) {
-    if (quote == '\0' && xml[i] == '>') return i;
-    if (xml[i] == quote) {
-      quote = '\0';
-    } else if (quote == '\0' && (xml[i] == '"' || xml[i] == '\'')) {
-      quote = xml[i];
-    }
-  }
-  return std::string::npos;
-}
-
 const TiXmlElement* Child(const TiXmlElement& parent, const char* tag) {
   return parent.FirstChildElement(tag);
 }
 
 }  // namespace
-
-void RequireShallow(const std::string& xml, const std::filesystem::path& file) {
-  int depth = 0;
-  for (std::size_t i = xml.find('<'); i != std::string::npos; i = xml.find('<', i)) {
-    if (xml.compare(i, 4, "<!--") == 0) {
-      i = xml.find("-->", i + 4);
-      continue;
-    }
-    const std::size_t end = EndOfTag(xml, i);
-    if (end == std::string::npos) return;  // the parser tells
-    const char first = xml[i + 1];
-    if (first == '/') --depth;
-    if (first != '/' && first != '?' && first != '!' && xml[end - 1] != '/') ++depth;
-    if (depth > kMaxDepth) {
-      const auto line = std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(i), '\n');
-      throw ConfigError(file.string(), static_cast<int>(line) + 1, 1,
-                        "elements nest deeper than " + std::to_string(kMaxDepth));
-    }
-    i = end;
-  }
-}
 
 void XmlValues::Add(const TiXmlElement& element, const std::string& what) {
   const TiXmlNode* named = &element;

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,9 +14,6 @@
 #include "models/import/source_robot.h"
 
 namespace sidestep::importer {
-
-/// Throws ConfigError, one line, if elements nest deeper than the parser could follow.
-void RequireShallow(const std::string& xml, const std::filesystem::path& file);
 
 /// Reads values out of elements. Whatever is wrong goes to the list of problems, and a harmless
 /// value is returned in its stead.

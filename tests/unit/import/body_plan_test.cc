@@ -10,7 +10,8 @@ namespace {
 
 std::vector<std::string> Names(const SourceRobot& robot, const std::vector<int>& joints) {
   std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(robot.joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : joints)
+    names.push_back(robot.joints[static_cast<std::size_t>(joint)].name);
   return names;
 }
 
@@ -99,7 +100,8 @@ TEST(BodyPlan, RefusesFiveJointsWithTheReason) {
 TEST(BodyPlan, RefusesArmsAsLegs) {
   const std::string urdf = UrdfOf(MakerRobot());
   std::string armed = urdf;  // its legs welded: only arms are left
-  for (const char* joint : {"hip_yaw", "hip_roll", "hip_pitch", "knee", "ankle_pitch", "ankle_roll"}) {
+  for (const char* joint :
+       {"hip_yaw", "hip_roll", "hip_pitch", "knee", "ankle_pitch", "ankle_roll"}) {
     for (const std::string side : {"left_", "right_"}) {
       const std::size_t at = armed.find("\"" + side + joint + "\" type=\"revolute\"");
       ASSERT_NE(at, std::string::npos);

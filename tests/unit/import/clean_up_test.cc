@@ -35,7 +35,10 @@ TEST(CleanUp, MakesAPointMassOfGramsAndKeepsTheCom) {
   SourceRobot after = Cleaned(before);
   EXPECT_FALSE(LinkCalled(after, "camera").has_mass());
   EXPECT_NEAR(TotalMass_kg(after), TotalMass_kg(before), 1e-12);
-  EXPECT_LT((Placement(after, ZeroPosture(after)).com_W() - Placement(before, ZeroPosture(before)).com_W()).norm(), 1e-12);
+  EXPECT_LT((Placement(after, ZeroPosture(after)).com_W() -
+             Placement(before, ZeroPosture(before)).com_W())
+                .norm(),
+            1e-12);
   EXPECT_NEAR(LinkCalled(after, "head").mass.mass_kg, 3.005, 1e-12);
 }
 
@@ -45,8 +48,10 @@ TEST(CleanUp, FixesMimicsAndWhatMovesNothing) {
   SourceRobot robot = SourceOf(maker);
   LinkCalled(robot, "left_index").mass = MassProperties();
   robot = Cleaned(robot);
-  EXPECT_EQ(robot.joints[static_cast<std::size_t>(JointCalled(robot, "left_thumb_joint"))].kind, JointKind::kFixed);
-  EXPECT_EQ(robot.joints[static_cast<std::size_t>(JointCalled(robot, "left_index_joint"))].kind, JointKind::kFixed);
+  EXPECT_EQ(robot.joints[static_cast<std::size_t>(JointCalled(robot, "left_thumb_joint"))].kind,
+            JointKind::kFixed);
+  EXPECT_EQ(robot.joints[static_cast<std::size_t>(JointCalled(robot, "left_index_joint"))].kind,
+            JointKind::kFixed);
 }
 
 TEST(CleanUp, GivesMassToALinkBetweenJoints) {
@@ -61,12 +66,16 @@ TEST(CleanUp, GivesMassToALinkBetweenJoints) {
 
 TEST(CleanUp, MendsImpossibleInertiasAndTellsTheirNumbers) {
   SourceRobot robot = SourceOf(MakerRobot());
-  LinkCalled(robot, "left_thigh").mass.inertia_kgm2 = Eigen::Vector3d(0.01, 0.02, 0.05).asDiagonal();
+  LinkCalled(robot, "left_thigh").mass.inertia_kgm2 =
+      Eigen::Vector3d(0.01, 0.02, 0.05).asDiagonal();
   LinkCalled(robot, "left_shank").mass.inertia_kgm2.setZero();
   Notes notes;
   robot = Cleaned(robot, &notes);
   ASSERT_EQ(notes.size(), 2U);
-  EXPECT_NE(notes[0].find("link 'left_thigh' had principal moments 0.01, 0.02, 0.05 kg m^2 of 4.5 kg"), std::string::npos) << notes[0];
+  EXPECT_NE(
+      notes[0].find("link 'left_thigh' had principal moments 0.01, 0.02, 0.05 kg m^2 of 4.5 kg"),
+      std::string::npos)
+      << notes[0];
   EXPECT_TRUE(IsPhysical(LinkCalled(robot, "left_thigh").mass));
   EXPECT_NEAR(LinkCalled(robot, "left_thigh").mass.inertia_kgm2(2, 2), 0.05, 1e-12);
   EXPECT_TRUE(IsPhysical(LinkCalled(robot, "left_shank").mass));
@@ -74,7 +83,8 @@ TEST(CleanUp, MendsImpossibleInertiasAndTellsTheirNumbers) {
 
 TEST(CleanUp, TurnsARootWithoutMassRound) {
   const std::string urdf = UrdfOf(MakerRobot());
-  const std::string rooted = Edit(urdf, "</robot>", R"(<link name="base_footprint"/><link name="tool"/>
+  const std::string rooted =
+      Edit(urdf, "</robot>", R"(<link name="base_footprint"/><link name="tool"/>
 <joint name="up" type="fixed"><parent link="base_footprint"/><child link="pelvis"/><origin xyz="0 0 0.9"/></joint>
 <joint name="side" type="fixed"><parent link="base_footprint"/><child link="tool"/></joint></robot>)");
   SourceRobot robot = Cleaned(SourceOf(rooted));
@@ -86,8 +96,9 @@ TEST(CleanUp, TurnsARootWithoutMassRound) {
 
 TEST(CleanUp, RefusesARobotWithoutMass) {
   const TempFolder folder;
-  EXPECT_EQ(folder.ErrorOf([] { Cleaned(SourceOf("<robot name=\"r\"><link name=\"a\"/></robot>")); }),
-            "robot.urdf:1: error: the root 'a' has no mass, nor has what is fixed to it");
+  EXPECT_EQ(
+      folder.ErrorOf([] { Cleaned(SourceOf("<robot name=\"r\"><link name=\"a\"/></robot>")); }),
+      "robot.urdf:1: error: the root 'a' has no mass, nor has what is fixed to it");
 }
 
 }  // namespace

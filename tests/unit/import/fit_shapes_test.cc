@@ -35,7 +35,8 @@ TEST(FitShapes, FitsACapsuleToALongRoundMesh) {
     for (int k = 0; k <= 10; ++k) {
       const double angle = 2 * std::numbers::pi * i / 24;
       const double z = -0.2 + 0.04 * k;
-      const double r = 0.05 * std::sqrt(1.0 - std::pow(std::max(0.0, std::abs(z) - 0.15) / 0.05, 2));
+      const double beyond = std::max(0.0, std::abs(z) - 0.15);
+      const double r = std::sqrt(std::max(0.0, 0.05 * 0.05 - beyond * beyond));
       mesh.vertices.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
     }
   }

@@ -42,7 +42,8 @@ TEST(FitSole, FollowsAFootFrameWithOtherAxes) {
   Eigen::Matrix3d R;  // the foot's y points down, its z to the front
   R << 0, 1, 0, 0, 0, -1, -1, 0, 0;
   R = Eigen::AngleAxisd(0.5 * M_PI, Vector::UnitX()).toRotationMatrix() * R;
-  const Sole sole = FitSole(Box({0.2, 0.1, 0.03}, {0.0, 0.0, -0.05}, R), R * Vector::UnitX(), R * Vector::UnitZ());
+  const Sole sole = FitSole(Box({0.2, 0.1, 0.03}, {0.0, 0.0, -0.05}, R), R * Vector::UnitX(),
+                            R * Vector::UnitZ());
   EXPECT_NEAR(sole.length_m, 0.2, 1e-12);
   EXPECT_LT((sole.X_FS.translation() - R * Vector(0, 0, -0.065)).norm(), 1e-12);
   EXPECT_LT((sole.X_FS.linear() - R).norm(), 1e-12);

@@ -68,8 +68,9 @@ TEST(ImportRobot, SaysWhatItDid) {
   const TempFolder folder;
   const ImportReport report = ImportInto(folder, Makers()[0]);
   const auto has = [](const Notes& notes, const std::string& part) {
-    return std::any_of(notes.begin(), notes.end(),
-                       [&](const std::string& note) { return note.find(part) != std::string::npos; });
+    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+      return note.find(part) != std::string::npos;
+    });
   };
   EXPECT_TRUE(has(report.done, "passed over 1 <transmission>"));
   EXPECT_TRUE(has(report.done, "made point masses of 'camera'"));

@@ -14,7 +14,8 @@ class MeshFilesTest : public testing::Test {
     WriteBoxStl(folder_.path() / "robot/meshes/in.stl", {1, 1, 1}, {0, 0, 0});
     WriteBoxStl(folder_.path() / "robot/pkg/meshes/in.stl", {1, 1, 1}, {0, 0, 0});
     WriteBoxStl(folder_.path() / "other/out.stl", {1, 1, 1}, {0, 0, 0});
-    std::filesystem::create_symlink(folder_.path() / "other/out.stl", folder_.path() / "robot/link.stl");
+    std::filesystem::create_symlink(folder_.path() / "other/out.stl",
+                                    folder_.path() / "robot/link.stl");
   }
 
   bool Finds(const std::string& uri, const Packages& packages = {}) {
@@ -55,8 +56,9 @@ TEST_F(MeshFilesTest, SaysWhichAreMissing) {
   EXPECT_FALSE(Finds("meshes/none.stl"));
   EXPECT_EQ(complaints_[0], "could not read 'meshes/none.stl': no such file in the URDF's folder");
   EXPECT_FALSE(Finds("package://p/none.stl"));
-  EXPECT_EQ(complaints_[0],
-            "could not read 'package://p/none.stl': name the folder of its package: --package p=FOLDER");
+  EXPECT_EQ(
+      complaints_[0],
+      "could not read 'package://p/none.stl': name the folder of its package: --package p=FOLDER");
 }
 
 }  // namespace

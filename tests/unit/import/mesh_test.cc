@@ -14,7 +14,9 @@ namespace {
 double Volume6(const Mesh& mesh) {
   double sum = 0.0;
   for (std::size_t i = 0; i + 2 < mesh.corners.size(); i += 3) {
-    const auto corner = [&](std::size_t k) { return mesh.vertices[mesh.corners[i + k]].cast<double>(); };
+    const auto corner = [&](std::size_t k) {
+      return mesh.vertices[mesh.corners[i + k]].cast<double>();
+    };
     sum += corner(0).dot(corner(1).cross(corner(2)));
   }
   return sum;
@@ -26,12 +28,14 @@ Mesh Ball(int rings) {
   for (int i = 0; i <= rings; ++i) {
     for (int k = 0; k < around; ++k) {
       const double polar = std::numbers::pi * i / rings, angle = 2 * std::numbers::pi * k / around;
-      mesh.vertices.emplace_back(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar));
+      mesh.vertices.emplace_back(std::sin(polar) * std::cos(angle),
+                                 std::sin(polar) * std::sin(angle), std::cos(polar));
       const auto at = [&](int row, int column) {
         return static_cast<unsigned>(row * around + column % around);
       };
       if (i == rings) continue;
-      for (const unsigned corner : {at(i, k), at(i + 1, k), at(i, k + 1), at(i, k + 1), at(i + 1, k), at(i + 1, k + 1)}) {
+      for (const unsigned corner :
+           {at(i, k), at(i + 1, k), at(i, k + 1), at(i, k + 1), at(i + 1, k), at(i + 1, k + 1)}) {
         mesh.corners.push_back(corner);
       }
     }
@@ -56,7 +60,8 @@ TEST(Mesh, ReadsWhatItWrites) {
 TEST(Mesh, ReadsObjAndIgnoresItsMaterialFile) {
   const TempFolder folder;
   folder.Write("secret.mtl", "newmtl m\n");
-  const auto file = folder.Write("sub/a.obj", "mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
+  const auto file = folder.Write(
+      "sub/a.obj", "mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
   std::string why;
   const std::optional<Mesh> mesh = LoadMesh(file, &why);
   ASSERT_TRUE(mesh) << why;
@@ -93,7 +98,8 @@ TEST(Mesh, SaysWhyAFileIsNone) {
   std::string why;
   EXPECT_FALSE(LoadMesh(folder.path() / "none.stl", &why));
   EXPECT_EQ(why, "can't be read");
-  EXPECT_FALSE(LoadMesh(folder.Write("lfs.stl", "version https://git-lfs.github.com/spec/v1\n"), &why));
+  EXPECT_FALSE(
+      LoadMesh(folder.Write("lfs.stl", "version https://git-lfs.github.com/spec/v1\n"), &why));
   EXPECT_EQ(why, "is only a pointer of Git LFS; fetch the file itself");
   EXPECT_FALSE(LoadMesh(folder.Write("junk.stl", std::string(200, 'x')), &why));
   EXPECT_FALSE(LoadMesh(folder.Write("empty.obj", ""), &why));

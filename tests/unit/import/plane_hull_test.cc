@@ -42,8 +42,8 @@ TEST(PlaneHull, ASquareIsTheLargestRectangleInACircle) {
 }
 
 TEST(PlaneHull, ATrapezoidsCornersStayInside) {  // four balls of a foot, the heel narrower
-  const Rectangle r =
-      InscribedRectangle(ConvexHull({{-0.05, -0.025}, {-0.05, 0.025}, {0.12, 0.03}, {0.12, -0.03}}));
+  const Rectangle r = InscribedRectangle(
+      ConvexHull({{-0.05, -0.025}, {-0.05, 0.025}, {0.12, 0.03}, {0.12, -0.03}}));
   EXPECT_NEAR(r.upper.x() - r.lower.x(), 0.17, 1e-12);
   EXPECT_NEAR(r.upper.y() - r.lower.y(), 0.05, 1e-12);
 }

@@ -14,7 +14,8 @@ Posture RandomPosture(const SourceRobot& robot) {
   for (Eigen::Index i = 0; i < posture.q.size(); ++i) {
     posture.q[i] = static_cast<double>(random()) / static_cast<double>(random.max()) - 0.5;
   }
-  posture.X_WR.linear() = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  posture.X_WR.linear() =
+      Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   posture.X_WR.translation() << 0.1, 0.2, 0.3;
   return posture;
 }

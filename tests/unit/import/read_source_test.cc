@@ -51,11 +51,12 @@ TEST(ReadSource, TellsEveryProblemWithItsLine) {
             "robot.urdf:3: error: link 'a' = 'a' is there twice\n"
             "robot.urdf:4: error: link 'c': <visual> needs a <geometry> with a box, sphere, "
             "cylinder or mesh");
-  EXPECT_EQ(ErrorFor(R"(<robot name="r"><link name="a"/>
+  EXPECT_EQ(
+      ErrorFor(R"(<robot name="r"><link name="a"/>
 <joint name="j" type="planar"><parent link="a"/><child link="b"/></joint></robot>)"),
-            "robot.urdf:2: error: joint 'j' needs <child link=\"...\"/> that names a link; there is "
-            "none called 'b'\n"
-            "robot.urdf:2: error: joint 'j' must be fixed, revolute, continuous or prismatic");
+      "robot.urdf:2: error: joint 'j' needs <child link=\"...\"/> that names a link; there is "
+      "none called 'b'\n"
+      "robot.urdf:2: error: joint 'j' must be fixed, revolute, continuous or prismatic");
 }
 
 TEST(ReadSource, RefusesLoopsAndForests) {
@@ -77,12 +78,13 @@ TEST(ReadSource, RefusesLoopsAndForests) {
 TEST(ReadSource, SurvivesHostileFiles) {
   std::string deep = "<robot name=\"r\">";
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
-  EXPECT_EQ(ErrorFor(deep), "robot.urdf:1:1: error: elements nest deeper than 100");
+  EXPECT_EQ(ErrorFor(deep), "robot.urdf:1:314: error: has elements nested deeper than 100");
   std::string chain = "<robot name=\"r\"><link name=\"l0\"/>";
   for (int i = 1; i < 20'000; ++i) {
     const std::string n = std::to_string(i), before = std::to_string(i - 1);
-    chain += "<link name=\"l" + n + "\"/><joint name=\"j" + n + "\" type=\"fixed\"><parent link=\"l" +
-             before + "\"/><child link=\"l" + n + "\"/></joint>\n";
+    chain += "<link name=\"l" + n + "\"/><joint name=\"j" + n +
+             "\" type=\"fixed\"><parent link=\"l" + before + "\"/><child link=\"l" + n +
+             "\"/></joint>\n";
   }
   EXPECT_EQ(ErrorFor(chain + "</robot>"),
             "robot.urdf:2000: error: link 'l2000' is one too many: a robot has at most 2000");

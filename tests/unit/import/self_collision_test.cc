@@ -47,12 +47,14 @@ TEST(SelfCollision, FindsFeetThatCanTouchAndLeavesOutWhatTouchesAtTheStart) {
   const std::vector<LinkBlock> again = FindSelfCollision(f.robot, f.plan, ZeroPosture(f.robot));
   ASSERT_FALSE(blocks.empty());
   ASSERT_EQ(blocks.size(), again.size());
-  const auto has = [&](const std::vector<LinkBlock>& list, const std::string& a, const std::string& b) {
+  const auto has = [&](const std::vector<LinkBlock>& list, const std::string& a,
+                       const std::string& b) {
     return std::any_of(list.begin(), list.end(), [&](const LinkBlock& block) {
       const auto in = [&](const std::vector<int>& side, const std::string& name) {
         return std::find(side.begin(), side.end(), f.Link(name)) != side.end();
       };
-      return (in(block.first, a) && in(block.second, b)) || (in(block.first, b) && in(block.second, a));
+      return (in(block.first, a) && in(block.second, b)) ||
+             (in(block.first, b) && in(block.second, a));
     });
   };
   EXPECT_TRUE(has(blocks, "left_foot", "right_foot"));

@@ -25,7 +25,8 @@ Posed PoseOf(const std::string& urdf) {
   posed.robot = ReadSource(file, &notes);
   posed.plan = FindBodyPlan(posed.robot, "robot.urdf", &notes);
   MeshFiles meshes(file, {});
-  const std::array<Foot, 2> feet = MakeFeet(posed.plan, "robot.urdf", &meshes, &posed.robot, &notes);
+  const std::array<Foot, 2> feet =
+      MakeFeet(posed.plan, "robot.urdf", &meshes, &posed.robot, &notes);
   posed.task.sole_frames = {feet[0].frame, feet[1].frame};
   posed.task.least_width_m = 0.12;
   posed.pose = FindStartPose(posed.robot, posed.plan, posed.task);
@@ -38,7 +39,8 @@ void ExpectStanding(const Posed& posed) {
   const double half_m = 0.5 * posed.pose.step_width_m;
   for (std::size_t side = 0; side < 2; ++side) {
     const Eigen::Isometry3d& X_WS = placement.X_WL(posed.task.sole_frames[side]);
-    EXPECT_LT((X_WS.translation() - Eigen::Vector3d(0, side == 0 ? half_m : -half_m, 0)).norm(), 1e-6);
+    EXPECT_LT((X_WS.translation() - Eigen::Vector3d(0, side == 0 ? half_m : -half_m, 0)).norm(),
+              1e-6);
     EXPECT_LT((X_WS.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-6);
   }
   EXPECT_LT(placement.com_W().head<2>().norm(), 1e-6);
@@ -69,7 +71,8 @@ TEST(StartPose, BendsAKneeTheWayItsRangeAllows) {
   for (const char* side : {"left_", "right_"}) {  // the same knee about the other axis
     const std::size_t at = urdf.find("\"" + std::string(side) + "knee\"");
     urdf.replace(urdf.find("xyz=\"0 1 0\"", at), 11, "xyz=\"0 -1 0\"");
-    urdf.replace(urdf.find("lower=\"-0.02\" upper=\"2.3\"", at), 25, "lower=\"-2.3\" upper=\"0.02\"");
+    urdf.replace(urdf.find("lower=\"-0.02\" upper=\"2.3\"", at), 25,
+                 "lower=\"-2.3\" upper=\"0.02\"");
   }
   const Posed posed = PoseOf(urdf);
   ExpectStanding(posed);

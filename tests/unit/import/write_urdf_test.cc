@@ -22,7 +22,8 @@ TEST(WriteUrdf, ReadsBackAsTheSameRobot) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const int link = FindLink(again, robot.links[i].name);
     ASSERT_GE(link, 0);
-    EXPECT_TRUE(here.X_WL(static_cast<int>(i)).isApprox(there.X_WL(link), 1e-8)) << robot.links[i].name;
+    EXPECT_TRUE(here.X_WL(static_cast<int>(i)).isApprox(there.X_WL(link), 1e-8))
+        << robot.links[i].name;
     const SourceLink& other = again.links[static_cast<std::size_t>(link)];
     EXPECT_TRUE(other.mass.inertia_kgm2.isApprox(robot.links[i].mass.inertia_kgm2, 1e-8));
     EXPECT_EQ(other.collisions.size(), robot.links[i].collisions.size());
