@@ -2,9 +2,11 @@
 # sidestepConfig.cmake, too, for programs that link our libraries need the same.
 find_package(mujoco REQUIRED)
 find_package(yaml-cpp REQUIRED)
+find_package(meshoptimizer REQUIRED)
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EIGEN3 REQUIRED IMPORTED_TARGET eigen3)
+pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom tinyxml)

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "models/support/config_error.h"
 #include "models/support/require.h"
@@ -41,7 +42,7 @@ MjModelPtr CompileMjcf(const std::string& xml, const std::string& robot_xml,
   std::array<char, 1000> message{};
   MjModelPtr model(
       mj_loadXML(kMainFile, vfs.get(), message.data(), static_cast<int>(message.size())));
-  if (!model) throw ConfigError(source.string() + ": error: " + message.data());
+  if (!model) throw ConfigError(std::vector{source.string() + ": error: " + message.data()});
   return model;
 }
 

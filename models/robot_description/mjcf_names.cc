@@ -10,8 +10,11 @@
 
 #include "models/mjcf/base_joints.h"
 #include "models/mjcf/mjcf.h"
+#include "models/mjcf/mjcf_bounds.h"
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
+#include "models/support/file_notes.h"
+#include "models/support/plain_word.h"
 
 namespace sidestep {
 namespace {
@@ -100,13 +103,33 @@ std::optional<UnfitMotor> UnfitnessOf(const mjModel& model, int actuator) {
   return {};
 }
 
+// Names become columns of tables and words of messages: those of parts that a robot.yaml may call.
+void RequirePlainNames(const std::filesystem::path& mjcf, const mjModel& model) {
+  const std::array<std::pair<mjtObj, int>, 5> kinds{{{mjOBJ_BODY, model.nbody},
+                                                     {mjOBJ_JOINT, model.njnt},
+                                                     {mjOBJ_SITE, model.nsite},
+                                                     {mjOBJ_ACTUATOR, model.nu},
+                                                     {mjOBJ_SENSOR, model.nsensor}}};
+  FileNotes notes(mjcf.string());
+  for (const auto& [type, count] : kinds) {
+    for (const std::string& name : NamesOfType(model, type, count)) {
+      if (IsPlainWord(name)) continue;
+      notes.Problem({}, std::string(mju_type2Str(type)) + " '" + name.substr(0, kMaxWordLength) +
+                            "': a name must be " + std::string(kPlainWordRule));
+    }
+  }
+  notes.ThrowProblems();
+}
+
 }  // namespace
 
 MjcfNames ReadMjcfNames(const std::filesystem::path& mjcf) {
+  CheckMjcfBounds(mjcf);
   std::array<char, 1000> error{};
   const MjModelPtr model(
       mj_loadXML(mjcf.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!model) FailToCompile(mjcf, error.data());
+  RequirePlainNames(mjcf, *model);
   return NamesOf(*model);
 }
 

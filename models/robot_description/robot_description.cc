@@ -102,7 +102,7 @@ RobotNames NamesIn(const RobotDescription& description) {
   RobotNames names;
   if (description.model) {
     const RobotModel& model = *description.model;
-    MjcfNames parts = NamesOf(*CompileMjcf(model.drawn_mjcf, "", model.file));
+    MjcfNames parts = NamesOf(*CompileMjcf(model.simulated_mjcf, "", model.file));
     return {std::move(parts.bodies), std::move(parts.sites), std::move(parts.unfit_motors)};
   }
   names.bodies.emplace_back("com");

@@ -64,6 +64,9 @@ struct RobotDescription {
   std::vector<std::string> arm_force_torque;  ///< Those of them that feel what is done to the arms.
   std::map<std::string, double> home;  ///< Joint positions at the start (rad or m); 0 if absent.
   std::vector<FootDescription> feet;   ///< At least one.
+  /// What the model's file has that was harmless, and how it was taken:
+  /// `file:line:column: notice: ...`. Empty for robots that ship.
+  std::vector<std::string> notices{};
 };
 
 /// The robot's model. Throws ConfigError naming robot.file if it has none.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/robot_description/robot_model.h"
 
-#include "models/mjcf/mjcf.h"
+#include "models/support/xml_bounds.h"
 
 namespace sidestep {
 
@@ -10,7 +10,7 @@ const char* LanguageName(ModelLanguage language) {
 }
 
 RobotModel ReadMjcfModel(const std::filesystem::path& file) {
-  const std::string text = ReadTextFile(file);
+  const std::string text = ReadXmlText(file);
   return {ModelLanguage::kMjcf, file, text, text, ""};
 }
 

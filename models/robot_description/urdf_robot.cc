@@ -6,108 +6,64 @@
 
 #include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_parts.h"
+#include "models/robot_description/urdf_motors.h"
+#include "models/urdf_to_mjcf/read_urdf.h"
 #include "models/urdf_to_mjcf/urdf_to_mjcf.h"
 
 namespace sidestep {
 namespace {
 
-constexpr double kMaxGain = 1e6;   // Nm/rad and Nms/rad
-constexpr double kMaxLimit = 1e5;  // Nm and rad/s
-constexpr double kMaxArmature_kgm2 = 1e2;
-constexpr double kMaxWeight = 1e6;
+constexpr double kMaxEffort_Nm = 1e4;  // of a URDF; more is what is written where nobody knew
 constexpr ModelLanguage kUrdf = ModelLanguage::kUrdf;
 constexpr char kFrame[] = "link without mass";
 
-std::vector<std::string> NamesOfJoints(const UrdfParts& urdf,
-                                       const std::vector<std::string>& without) {
-  std::vector<std::string> names;
-  for (const UrdfJointInfo& joint : urdf.joints) {
-    const bool is_out = std::find(without.begin(), without.end(), joint.name) != without.end();
-    if (!is_out) names.push_back(joint.name);
+/// Frames of the feet, before all that is said of feet is read.
+std::vector<std::string> ReadFootFrames(ConfigMap& map) {
+  std::vector<std::string> frames;
+  for (const ConfigNode& foot : map.Required("feet").List()) {
+    frames.push_back(ReadName(foot.Map().Required("frame")));
   }
-  return names;
+  return frames;
 }
 
-/// The value of `key`, or what the URDF says of the joint, which must not be nothing then.
-double ReadLimit(ConfigMap& map, const std::string& key, double of_urdf, const std::string& joint) {
-  const auto node = map.Optional(key);
-  const double limit = node ? node->Number(0.0, kMaxLimit) : of_urdf;
-  const bool is_good = limit > 0.0;
-  if (!is_good && node) node->Fail("must be greater than 0");
-  if (!is_good) map.Fail("needs " + key + ", because the URDF has none for '" + joint + "'");
-  return limit;
+/// Throws ConfigError with all that is wrong in the URDF; else keeps what was harmless.
+UrdfTree ReadTree(const std::filesystem::path& urdf_file, const UrdfConversion& conversion,
+                  RobotDescription* robot) {
+  UrdfTree tree = SurveyFor(urdf_file, conversion);
+  FileNotes& notes = tree.notes;
+  for (const UrdfJointInfo& joint : tree.joints) {
+    const auto actuator =
+        std::find_if(conversion.actuators.begin(), conversion.actuators.end(),
+                     [&](const UrdfActuator& other) { return other.joint == joint.name; });
+    const bool is_asked_for =
+        actuator != conversion.actuators.end() && actuator->torque_limit_Nm == joint.effort_Nm;
+    if (is_asked_for && joint.effort_Nm > kMaxEffort_Nm) {
+      notes.Problem(joint.place, "joint '" + joint.name +
+                                     "' has effort = " + NumberText(joint.effort_Nm) +
+                                     ", more than any motor's " + NumberText(kMaxEffort_Nm) +
+                                     " Nm; mend it, or give its group in robot.yaml a "
+                                     "torque_limit_Nm");
+    }
+  }
+  notes.ThrowProblems();
+  robot->notices = notes.notices();
+  return tree;
 }
 
-/// One group of `joints`: the same numbers for all its names.
-class JointGroupReader {
- public:
-  JointGroupReader(const UrdfParts& urdf, RobotDescription* robot, UrdfConversion* conversion)
-      : urdf_(urdf), robot_(robot), conversion_(conversion) {}
-
-  void Read(const ConfigNode& node) {
-    ConfigMap map = node.Map();
-    const ConfigNode names = map.Required("names");
-    const std::vector<std::string> moving = NamesOfJoints(urdf_, conversion_->locked_joints);
-    const std::vector<std::string> joints = ReadParts(names, moving, "moving joint", kUrdf);
-    if (joints.empty()) names.Fail("must hold at least one joint");
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const bool is_known =
-          std::any_of(robot_->joints.begin(), robot_->joints.end(),
-                      [&](const JointDescription& joint) { return joint.name == joints[i]; });
-      if (is_known) names.List()[i].Fail("= '" + joints[i] + "' is in two groups");
-      Add(joints[i], map);
+/// The robot's own folders and the one that it may name for its meshes.
+std::vector<std::filesystem::path> ReadMeshFolders(ConfigMap& map,
+                                                   const std::filesystem::path& urdf_file,
+                                                   const RobotDescription& robot) {
+  const std::filesystem::path own = robot.file.parent_path();
+  std::vector<std::filesystem::path> folders{own, urdf_file.parent_path()};
+  if (const auto meshes = map.Optional("meshes")) {
+    folders.push_back(own / ReadName(*meshes));
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folders.back(), ignored)) {
+      meshes->Fail("= '" + meshes->Text() + "' is no folder");
     }
-    map.RejectUnknownKeys();
   }
-
- private:
-  void Add(const std::string& name, ConfigMap& map) {
-    const UrdfJointInfo& info =
-        *std::find_if(urdf_.joints.begin(), urdf_.joints.end(),
-                      [&](const UrdfJointInfo& joint) { return joint.name == name; });
-    UrdfActuator actuator{name};
-    actuator.torque_limit_Nm = ReadLimit(map, "torque_limit_Nm", info.effort_Nm, name);
-    actuator.damping_Nms_per_rad = info.damping_Nms_per_rad;
-    if (const auto armature = map.Optional("armature_kgm2")) {
-      actuator.armature_kgm2 = armature->Number(0.0, kMaxArmature_kgm2);
-    }
-    if (const auto damping = map.Optional("damping_Nms_per_rad")) {
-      actuator.damping_Nms_per_rad = damping->Number(0.0, kMaxGain);
-    }
-    conversion_->actuators.push_back(actuator);
-
-    JointDescription joint;
-    joint.name = name;
-    joint.velocity_limit_radps = ReadLimit(map, "velocity_limit_radps", info.velocity_radps, name);
-    joint.servo_stiffness_Nm_per_rad =
-        map.Required("servo_stiffness_Nm_per_rad").Number(0.0, kMaxGain);
-    joint.servo_damping_Nms_per_rad =
-        map.Required("servo_damping_Nms_per_rad").Number(0.0, kMaxGain);
-    if (const auto weight = map.Optional("posture_weight")) {
-      joint.posture_weight = weight->Number(0.0, kMaxWeight);
-    }
-    robot_->joints.push_back(joint);
-  }
-
-  const UrdfParts& urdf_;
-  RobotDescription* robot_;
-  UrdfConversion* conversion_;
-};
-
-void ReadJoints(ConfigMap& map, const UrdfParts& urdf, RobotDescription* robot,
-                UrdfConversion* conversion) {
-  if (const auto locked = map.Optional("locked_joints")) {
-    conversion->locked_joints = ReadParts(*locked, NamesOfJoints(urdf, {}), "moving joint", kUrdf);
-  }
-  const ConfigNode groups = map.Required("joints");
-  JointGroupReader reader(urdf, robot, conversion);
-  for (const ConfigNode& group : groups.List()) reader.Read(group);
-  for (const std::string& name : NamesOfJoints(urdf, conversion->locked_joints)) {
-    const bool has_motor =
-        std::any_of(robot->joints.begin(), robot->joints.end(),
-                    [&](const JointDescription& joint) { return joint.name == name; });
-    if (!has_motor) groups.Fail("must name '" + name + "', or locked_joints must");
-  }
+  return folders;
 }
 
 /// `link` loses the mass of the part, so that the next sensor inside it finds what is left.
@@ -216,6 +172,10 @@ void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot) {
   const UrdfParts urdf = ReadUrdfParts(urdf_file);
   UrdfConversion conversion;
   ReadJoints(map, urdf, robot, &conversion);
+  conversion.foot_frames = ReadFootFrames(map);
+  conversion.mesh_folders = ReadMeshFolders(map, urdf_file, *robot);
+  const UrdfTree tree = ReadTree(urdf_file, conversion, robot);
+  RequireMotors(map, urdf, *robot, conversion);
   conversion.imu = ReadName(map.Required("imu"));
   KnownParts parts = PartsAfterConversion(urdf, conversion, conversion.imu);
   if (const auto sensors = map.Optional("force_torque")) {
@@ -229,13 +189,12 @@ void ReadUrdfRobot(ConfigMap& map, RobotDescription* robot) {
   for (const UrdfForceTorque& sensor : conversion.force_torque) {
     robot->force_torque.push_back(sensor.name);
   }
-  for (const FootDescription& foot : robot->feet) conversion.foot_frames.push_back(foot.frame);
-  UrdfMjcf drawn = UrdfToMjcf(urdf_file, conversion);
+  const std::string name = urdf_file.stem().string();
+  UrdfMjcf drawn = Convert(tree, name, conversion);
   conversion.has_visuals = false;
-  robot->model =
-      RobotModel{ModelLanguage::kUrdf, urdf_file, UrdfToMjcf(urdf_file, conversion).robot,
-                 std::move(drawn.robot), std::move(drawn.ground_pairs)};
-  CompileMjcf(robot->model->drawn_mjcf, "", urdf_file);
+  robot->model = RobotModel{ModelLanguage::kUrdf, urdf_file, Convert(tree, name, conversion).robot,
+                            std::move(drawn.robot), std::move(drawn.ground_pairs)};
+  CompileMjcf(robot->model->simulated_mjcf, "", urdf_file);  // without waiting for meshes
 }
 
 }  // namespace sidestep

@@ -23,4 +23,13 @@ Body* FindCarrier(Body& root, const std::string& name) {
   return found;
 }
 
+bool CarriesFrame(const Body& body, const std::vector<std::string>& frames) {
+  const bool is_here = std::any_of(body.frames.begin(), body.frames.end(), [&](const Frame& frame) {
+    return std::find(frames.begin(), frames.end(), frame.name) != frames.end();
+  });
+  return is_here || std::any_of(body.children.begin(), body.children.end(), [&](const Body& child) {
+           return !child.joint && CarriesFrame(child, frames);
+         });
+}
+
 }  // namespace sidestep

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <string>
 
 namespace sidestep {
 
@@ -19,11 +20,18 @@ struct MassProperties {
 /// second moment subtract. Requires part.mass_kg < whole.mass_kg.
 MassProperties Without(const MassProperties& whole, const MassProperties& part);
 
+/// Two bodies welded together, both in the same frame.
+MassProperties Together(const MassProperties& one, const MassProperties& other);
+
 /// The same body seen from the frame in which its own frame has the pose `X_PF`.
 MassProperties InFrame(const Eigen::Isometry3d& X_PF, const MassProperties& body);
 
 /// Whether a body of positive mass could have this inertia: positive definite, and no principal
 /// moment greater than the sum of the other two (but for rounding).
 bool IsPhysical(const MassProperties& body);
+
+/// Why no body is like this one, with its mass and principal moments, to follow "link 'x' "; empty
+/// if IsPhysical().
+std::string WhyNotPhysical(const MassProperties& body);
 
 }  // namespace sidestep

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "models/support/require.h"
+#include "models/urdf_to_mjcf/looks.h"
 #include "models/urdf_to_mjcf/read_urdf.h"
 #include "models/urdf_to_mjcf/split_bodies.h"
 #include "models/urdf_to_mjcf/write_mjcf.h"
@@ -31,8 +32,16 @@ void CheckActuators(const Body& base, const std::vector<UrdfActuator>& actuators
 
 }  // namespace
 
+UrdfTree SurveyFor(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
+  UrdfTree tree = SurveyUrdf(urdf, conversion.locked_joints);
+  NoteFaultyJoints(conversion.locked_joints, &tree);
+  NoteMeshCollisions(conversion.foot_frames, &tree);
+  FindLooks(conversion.mesh_folders, &tree.base, &tree.notes);
+  return tree;
+}
+
 UrdfParts ReadUrdfParts(const std::filesystem::path& urdf) {
-  const UrdfTree tree = ReadUrdf(urdf, {});
+  const UrdfTree tree = SurveyUrdf(urdf, {});
   UrdfParts parts;
   parts.joints = tree.joints;
   ForEachBody(tree.base, [&](const Body& body) {
@@ -47,11 +56,15 @@ UrdfParts ReadUrdfParts(const std::filesystem::path& urdf) {
   return parts;
 }
 
-UrdfMjcf UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
-  UrdfTree tree = ReadUrdf(urdf, conversion.locked_joints);
+UrdfMjcf Convert(UrdfTree tree, const std::string& name, const UrdfConversion& conversion) {
+  tree.notes.ThrowProblems();
   CheckActuators(tree.base, conversion.actuators);
   SplitBodies(conversion.force_torque, &tree.base);
-  return WriteMjcf(urdf.stem().string(), tree.base, conversion);
+  return WriteMjcf(name, tree.base, conversion);
+}
+
+UrdfMjcf UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion) {
+  return Convert(SurveyFor(urdf, conversion), urdf.stem().string(), conversion);
 }
 
 }  // namespace sidestep

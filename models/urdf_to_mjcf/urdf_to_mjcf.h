@@ -14,7 +14,9 @@
 //   collision shape           touches the floor; touches other shapes only if a pair of
 //                             self_collision says so; drawn only if its link has no visual shape
 //   visual shape              geom on an unnamed, massless body welded to its link's
-//   mesh                      a visual one is left out; a collision one is an error
+//   collision mesh            left out, with a notice; an error if a foot has no other shape
+//   visual mesh               drawn, if it is in mesh_folders and MuJoCo can: see mesh_file.h
+//   link with nothing to see  sticks to the joints on it, or the box of its inertia: see looks.h
 //
 // Force/torque sensors. MuJoCo measures between a body and its parent. A sensor whose link is fixed
 // to a body without `distal` sits between that body and its parent. With `distal` it sits inside
@@ -32,9 +34,12 @@
 #include <string>
 #include <vector>
 
+#include "models/support/file_notes.h"
 #include "models/urdf_to_mjcf/mass_properties.h"
 
 namespace sidestep {
+
+struct UrdfTree;  // read_urdf.h
 
 /// A joint with a motor.
 struct UrdfActuator {
@@ -67,6 +72,8 @@ struct UrdfConversion {
   std::vector<std::string> locked_joints;  ///< Welded at zero.
   std::vector<UrdfForceTorque> force_torque;
   std::vector<UrdfCollisionGroups> self_collision;
+  /// Where meshes to look at may lie, with all below; no other file is read.
+  std::vector<std::filesystem::path> mesh_folders;
   bool has_visuals{true};  ///< Whether visual shapes, which do not collide, come along.
 };
 
@@ -84,6 +91,10 @@ struct UrdfJointInfo {
   double effort_Nm{0.0};
   double velocity_radps{0.0};
   double damping_Nms_per_rad{0.0};
+  /// Why it can't move here and must be locked ("mimics ...", "moves link ... without mass"), to
+  /// follow "joint 'x' "; empty if it can.
+  std::string fault{};
+  TextPlace place{};  ///< In the URDF.
 };
 
 /// A link with mass.
@@ -108,14 +119,20 @@ struct UrdfParts {
   std::vector<UrdfFrameInfo> frames;
 };
 
-/// Reads a URDF for its names. Throws ConfigError, as `file:line:column: error: ...` for bad XML
-/// and `file: error: ...` for what can't become a robot.
+/// Reads a URDF for its names, whatever of it may be locked. Throws ConfigError as SurveyUrdf().
 UrdfParts ReadUrdfParts(const std::filesystem::path& urdf);
 
+/// SurveyUrdf() with all that there is to say of the file for a conversion with these locked
+/// joints, foot frames and mesh folders, and what it is drawn with.
+UrdfTree SurveyFor(const std::filesystem::path& urdf, const UrdfConversion& conversion);
+
+/// Converts what SurveyFor() read. Throws as UrdfToMjcf().
+UrdfMjcf Convert(UrdfTree tree, const std::string& name, const UrdfConversion& conversion);
+
 /// Converts. The base is the URDF's first link with mass; it gets a free joint.
-/// Throws ConfigError as ReadUrdfParts, and ContractViolation if `conversion` does not fit the
-/// URDF: check its names, motors and distal masses against UrdfParts, where a user's file tells the
-/// place.
+/// Throws ConfigError with all of the problems that SurveyFor() noted, and ContractViolation if
+/// `conversion` does not fit the URDF: check its names, motors and distal masses against UrdfParts,
+/// where a user's file tells the place.
 UrdfMjcf UrdfToMjcf(const std::filesystem::path& urdf, const UrdfConversion& conversion);
 
 }  // namespace sidestep

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <sstream>
 #include <vector>
 
 #include "models/mjcf/ground.h"
+#include "models/urdf_to_mjcf/mjcf_text.h"
 
 namespace sidestep {
 namespace {
@@ -29,52 +29,6 @@ constexpr char kDefaults[] =
     </default>
   </default>
 )";
-/// Shortest decimals that read back as the same doubles.
-std::string Numbers(const double* values, Eigen::Index count) {
-  std::string text;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    std::array<char, 40> digits{};
-    const auto [end, error] =
-        std::to_chars(digits.data(), digits.data() + digits.size(), values[i]);
-    text += (i > 0 ? " " : "") + std::string(digits.data(), end);
-  }
-  return text;
-}
-
-std::string Numbers(const Eigen::VectorXd& values) { return Numbers(values.data(), values.size()); }
-std::string Number(double value) { return Numbers(&value, 1); }
-
-std::string Escaped(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    const std::map<char, std::string> escapes{
-        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-    const auto escape = escapes.find(c);
-    text += escape == escapes.end() ? std::string(1, c) : escape->second;
-  }
-  return text;
-}
-
-/// ` name="..."`, escaped.
-std::string Attribute(const std::string& name, const std::string& value) {
-  return " " + name + "=\"" + Escaped(value) + "\"";
-}
-
-std::string PoseAttributes(const Eigen::Isometry3d& X) {
-  const Eigen::Quaterniond q(X.rotation());
-  const Eigen::Vector4d wxyz(q.w(), q.x(), q.y(), q.z());
-  return Attribute("pos", Numbers(X.translation())) + Attribute("quat", Numbers(wxyz));
-}
-
-/// Whether `body`, or one welded to it from below, carries one of the frames.
-bool HasFrame(const Body& body, const std::vector<std::string>& frames) {
-  const bool is_here = std::any_of(body.frames.begin(), body.frames.end(), [&](const Frame& frame) {
-    return std::find(frames.begin(), frames.end(), frame.name) != frames.end();
-  });
-  return is_here || std::any_of(body.children.begin(), body.children.end(), [&](const Body& child) {
-           return !child.joint && HasFrame(child, frames);
-         });
-}
 
 class MjcfWriter {
  public:
@@ -82,8 +36,10 @@ class MjcfWriter {
 
   UrdfMjcf Write(const std::string& name, const Body& base) {
     xml_ << "<mujoco" << Attribute("model", name) << ">\n" << kDefaults;
+    xml_ << "  <asset>\n";
     WriteMaterials(base);
-    xml_ << "  <worldbody>\n";
+    if (conversion_.has_visuals) WriteMeshes(base);
+    xml_ << "  </asset>\n  <worldbody>\n";
     WriteBody(base, nullptr, false, "    ");
     xml_ << "  </worldbody>\n";
     WritePairs();
@@ -95,7 +51,6 @@ class MjcfWriter {
 
  private:
   void WriteMaterials(const Body& base) {
-    xml_ << "  <asset>\n";
     ForEachBody(base, [&](const Body& body) {
       for (const Shape& shape : body.shapes) {
         const std::string rgba = Numbers(shape.rgba);
@@ -105,12 +60,22 @@ class MjcfWriter {
              << " specular=\"0.4\" shininess=\"0.6\"/>\n";
       }
     });
-    xml_ << "  </asset>\n";
+  }
+
+  void WriteMeshes(const Body& base) {
+    ForEachBody(base, [&](const Body& body) {
+      for (const Shape& shape : body.shapes) {
+        if (!shape.mesh || shape.mesh->mjcf.empty()) continue;
+        const std::string name = "robot_mesh_" + std::to_string(meshes_.size());
+        if (!meshes_.emplace(shape.mesh->mjcf, name).second) continue;
+        xml_ << "    <mesh" << Attribute("name", name) << shape.mesh->mjcf << "/>\n";
+      }
+    });
   }
 
   /// `is_foot` tells of the parent; a moving body is the top of its own weld group.
   void WriteBody(const Body& body, const Body* parent, bool is_foot, const std::string& indent) {
-    if (parent == nullptr || body.joint) is_foot = HasFrame(body, conversion_.foot_frames);
+    if (parent == nullptr || body.joint) is_foot = CarriesFrame(body, conversion_.foot_frames);
     const std::string inside = indent + "  ";
     xml_ << indent << "<body" << Attribute("name", body.name) << PoseAttributes(body.X_PB) << ">\n";
     if (parent == nullptr) xml_ << inside << "<freejoint name=\"floating_base\"/>\n";
@@ -134,6 +99,7 @@ class MjcfWriter {
     xml_ << indent << "<joint" << Attribute("name", joint.name)
          << Attribute("type", joint.is_slide ? "slide" : "hinge")
          << Attribute("axis", Numbers(joint.axis));
+    if (!joint.p_BJ.isZero(0.0)) xml_ << Attribute("pos", Numbers(joint.p_BJ));
     if (joint.has_range) {
       xml_ << Attribute("range", Number(joint.lower) + " " + Number(joint.upper));
     }
@@ -150,6 +116,7 @@ class MjcfWriter {
   void WriteShapes(const Body& body, bool is_foot, const std::string& indent) {
     std::vector<const Shape*> visuals;
     for (const Shape& shape : body.shapes) {
+      if (shape.kind == ShapeKind::kMesh && shape.mesh->mjcf.empty()) continue;
       if (shape.collides) {
         WriteShape(shape, is_foot, indent);
       } else {
@@ -163,8 +130,8 @@ class MjcfWriter {
   }
 
   void WriteShape(const Shape& shape, bool is_foot, const std::string& indent) {
-    constexpr std::array<const char*, 4> kTypes{"box", "sphere", "cylinder", "capsule"};
-    constexpr std::array<Eigen::Index, 4> kSizes{3, 1, 2, 2};
+    constexpr std::array<const char*, 5> kTypes{"box", "sphere", "cylinder", "capsule", "mesh"};
+    constexpr std::array<Eigen::Index, 5> kSizes{3, 1, 2, 2, 0};
     const auto kind = static_cast<std::size_t>(shape.kind);
     xml_ << indent << "<geom";
     if (shape.collides) {
@@ -176,10 +143,11 @@ class MjcfWriter {
                     << Attribute("geom2", names.back()) << "/>\n";
       if (shape.is_drawn) xml_ << " group=\"1\"";
     }
-    xml_ << Attribute("type", kTypes[kind])
-         << Attribute("size", Numbers(shape.size_m.data(), kSizes[kind]))
-         << PoseAttributes(shape.X_BS) << Attribute("material", materials_.at(Numbers(shape.rgba)))
-         << "/>\n";
+    const std::string form = shape.mesh
+                                 ? Attribute("mesh", meshes_.at(shape.mesh->mjcf))
+                                 : Attribute("size", Numbers(shape.size_m.data(), kSizes[kind]));
+    xml_ << Attribute("type", kTypes[kind]) << form << PoseAttributes(shape.X_BS)
+         << Attribute("material", materials_.at(Numbers(shape.rgba))) << "/>\n";
   }
 
   void WritePairs() {
@@ -233,6 +201,7 @@ class MjcfWriter {
   std::ostringstream xml_;
   std::ostringstream ground_pairs_;
   std::map<std::string, std::string> materials_;                     ///< By colour.
+  std::map<std::string, std::string> meshes_;                        ///< By what makes them.
   std::map<std::string, std::vector<std::string>> collision_names_;  ///< Of geoms, by URDF link.
 };
 

@@ -118,7 +118,8 @@ int main(int argc, char** argv) {
   try {
     return RunCommandLine(argc, argv);
   } catch (const ConfigError& error) {
-    PrintError("", error.what());
+    std::fflush(stdout);
+    std::fprintf(stderr, "%s\n", error.what());  // a line each of what is wrong
     return kExitBadInput;
   } catch (const Interrupted& end) {
     PrintError("sidestep: ", end.what());

@@ -119,11 +119,14 @@ void CheckSenses(const Scenario& scenario, const ConfigTree& root) {
   const RobotDescription& robot = scenario.robot;
   const bool has_body = scenario.plant == Plant::kMujoco;
   const bool estimates = scenario.control.external_wrench == ExternalWrenchKnowledge::kEstimated;
-  if (estimates && (!has_body || robot.arm_force_torque.empty())) {
+  const bool feels_pushes =
+      !robot.arm_force_torque.empty() || scenario.control.estimation.push_cutoff_hz > 0.0;
+  if (estimates && (!has_body || !feels_pushes)) {
     FailAtEither(root, "control.external_wrench", "robot",
                  "= estimated needs force/torque sensors in the arms, which " +
                      (has_body ? "'" + scenario.robot_name + "'" : "the centroidal plant") +
-                     " lacks; write external_wrench: unknown or known");
+                     " lacks; write external_wrench: unknown or known" +
+                     (has_body ? ", or estimation.push_cutoff_hz above 0" : ""));
   }
   const bool feels_the_ground =
       std::all_of(robot.feet.begin(), robot.feet.end(),

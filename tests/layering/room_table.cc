@@ -31,6 +31,7 @@ std::vector<Room> ModelRooms() {
       {"models/mjcf", kSupport, true},
       {"models/robot_description", {"models/support", "models/mjcf", "models/urdf_to_mjcf"}, true},
       {"models/urdf_to_mjcf", {"models/support", "models/mjcf"}, true},
+      {"models/import", kRobot + Folders{"models/urdf_to_mjcf"}, true},
   };
 }
 
@@ -85,7 +86,7 @@ std::vector<Room> SimRooms() {
       {"sim/apps/commands",
        kTools + Folders{"controller/mpc", "controller/mpc/problem", "sim/episode", "sim/render",
                         "sim/plot", "sim/report", "sim/check", "sim/limit", "sim/sweep", "sim/map",
-                        "sim/compare"},
+                        "sim/compare", "models/import"},
        true},
       {"sim/apps", kSupport + Folders{"sim/process/interrupt.h", "sim/apps/commands"}, true},
       // A program of a user's own, beside ours.

@@ -39,6 +39,9 @@ void AddFilmCommand(CLI::App& app, int& exit_code);
 /// `robots [ROBOT]`: lists the robots that ship, or tells of one.
 void AddRobotsCommand(CLI::App& app, int& exit_code);
 
+/// `robots import FILE`: makes a robot of a maker's URDF, and scenarios for it.
+void AddRobotsImportCommand(CLI::App& robots, int& exit_code);
+
 /// `keys [PREFIX]`, `metrics`, `schema`: what a scenario may say.
 void AddKeysCommand(CLI::App& app, int& exit_code);
 void AddMetricsCommand(CLI::App& app, int& exit_code);

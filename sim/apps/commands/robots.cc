@@ -42,6 +42,7 @@ void Print(const RobotDescription& robot) {
   std::printf("  feet    %s\n", Listed(feet).c_str());
   std::printf("  bodies  %s\n", Listed(names.bodies).c_str());
   std::printf("  frames  %s\n", Listed(names.frames).c_str());
+  for (const std::string& notice : robot.notices) std::printf("%s\n", notice.c_str());
 }
 
 // The world as a scenario with only defaults compiles it: robot, floor, light.
@@ -73,7 +74,10 @@ void AddRobotsCommand(CLI::App& app, int& exit_code) {
   command->add_option("ROBOT", arguments->robot, "A shipped robot, or a path to a robot.yaml");
   command->add_option("--mjcf", arguments->mjcf, "Write its MJCF, with what is only drawn")
       ->type_name("FILE");
-  command->callback([arguments, &exit_code] { exit_code = Robots(*arguments); });
+  AddRobotsImportCommand(*command, exit_code);
+  command->callback([command, arguments, &exit_code] {
+    if (command->get_subcommands().empty()) exit_code = Robots(*arguments);
+  });
 }
 
 }  // namespace sidestep

@@ -71,9 +71,9 @@ TEST_F(UrdfRobotErrorTest, Files) {
             "robot.yaml:5:10: error: mass_kg is told by the URDF; leave it out");
   EXPECT_EQ(ErrorOfEdit("base: trunk", "base: trunk\ncolour: red"),
             "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
-            "com_height_m, urdf, mjcf, mass_kg, locked_joints, joints, imu, force_torque, "
-            "self_collision, base, torso, base_height_m, base_rpy_rad, home, arm_force_torque, "
-            "feet, control, control_torque");
+            "com_height_m, urdf, mjcf, mass_kg, locked, locked_joints, joints, feet, meshes, imu, "
+            "force_torque, self_collision, base, torso, base_height_m, base_rpy_rad, home, "
+            "arm_force_torque, control, control_torque");
 }
 
 TEST_F(UrdfRobotErrorTest, PartsOfTheUrdf) {
@@ -101,8 +101,9 @@ TEST_F(UrdfRobotErrorTest, Joints) {
   EXPECT_EQ(ErrorOfEdit("locked_joints: [wag]", "locked_joints: [wog]"),
             "robot.yaml:11:17: error: locked_joints.0 = 'wog' is no moving joint of the URDF; did "
             "you mean 'wag'?");
-  EXPECT_EQ(ErrorOfEdit("locked_joints: [wag]\n", ""),
-            "robot.yaml:12:3: error: joints must name 'wag', or locked_joints must");
+  EXPECT_EQ(
+      ErrorOfEdit("locked_joints: [wag]\n", ""),
+      "robot.yaml:12:3: error: joints must name 'wag', or locked_joints must (or locked: rest)");
   EXPECT_EQ(ErrorOfEdit("locked_joints: [wag]", "locked_joints: [wag, hip]"),
             "robot.yaml:13:24: error: joints.0.names.1 = 'hip' is no moving joint of the URDF; "
             "known ones: shoulder, grip");
@@ -125,6 +126,37 @@ TEST_F(UrdfRobotErrorTest, Joints) {
   EXPECT_EQ(ErrorOfEdit("posture_weight: 3", "posture_wait: 3"),
             "robot.yaml:20:5: error: joints.1.posture_wait is not a known key; did you mean "
             "'posture_weight'?");
+}
+
+TEST_F(UrdfRobotErrorTest, LockedRest) {
+  EXPECT_EQ(ErrorOfEdit("locked_joints: [wag]", "locked: rest"), "no error");
+  EXPECT_EQ(ErrorOfEdit("locked_joints: [wag]", "locked: wag"),
+            "robot.yaml:11:9: error: locked = 'wag' must be rest: every joint that no group of "
+            "joints names");
+  EXPECT_EQ(ErrorOfEdit("locked_joints: [wag]", "locked: rest\nlocked_joints: [wag]"),
+            "robot.yaml:12:1: error: locked_joints can't be beside locked: rest");
+}
+
+TEST_F(UrdfRobotErrorTest, EveryJointWithoutAMotorIsNamedAtOnce) {
+  EXPECT_EQ(ErrorOfEdit("names: [shoulder, hip]", "names: [shoulder]"),
+            "robot.yaml:13:3: error: joints must name 'hip', or locked_joints must (or locked: "
+            "rest)");
+  folder_.Write("mini.urdf", ReadConfigText(kMini / "mini.urdf"));
+  const std::string text = Edit(ReadConfigText(kMini / "robot.yaml"), "locked_joints: [wag]\n", "");
+  folder_.Write("robot.yaml", Edit(text, "names: [shoulder, hip]", "names: [shoulder]"));
+  EXPECT_EQ(folder_.ErrorOf([&] { ReadRobotDescription(folder_.path() / "robot.yaml"); }),
+            "robot.yaml:12:3: error: joints must name 'hip', 'wag', or locked_joints must (or "
+            "locked: rest)");
+}
+
+TEST(UrdfRobotTest, RestLocksWhatNoGroupNames) {
+  const TempFolder folder;
+  folder.Write("mini.urdf", ReadConfigText(kMini / "mini.urdf"));
+  const std::string listed = ReadConfigText(kMini / "robot.yaml");
+  const auto file =
+      folder.Write("robot.yaml", Edit(listed, "locked_joints: [wag]", "locked: rest"));
+  EXPECT_EQ(ReadRobotDescription(file).model->simulated_mjcf,
+            ReadRobotDescription(kMini / "robot.yaml").model->simulated_mjcf);
 }
 
 TEST_F(UrdfRobotErrorTest, ForceTorque) {

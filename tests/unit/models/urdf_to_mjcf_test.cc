@@ -156,41 +156,5 @@ TEST_F(UrdfErrorTest, BadXmlIsToldWithItsPlace) {
             "mini.urdf:54:1: error: Error reading end tag.");
 }
 
-TEST_F(UrdfErrorTest, WhatUrdfdomRefusesIsToldInOneLine) {
-  EXPECT_EQ(ErrorOfEdit("<parent link=\"leg\"/>", "<parent link=\"lag\"/>"),
-            "mini.urdf: error: Failed to build tree: parent link [lag] of joint [foot_fixed] not "
-            "found.  This is not valid according to the URDF spec. Every link you refer to from a "
-            "joint needs to be explicitly defined in the robot description. To fix this problem "
-            "you can either remove this joint [foot_fixed] from your urdf file, or add \"<link "
-            "name=\"lag\" />\" to your urdf file.");
-  EXPECT_EQ(ErrorOfEdit("<sphere radius=\"0.15\"/>", "<sphere radius=\"wide\"/>"),
-            "mini.urdf: error: radius [wide] is not a valid float");
-  EXPECT_EQ(ErrorOfEdit("<robot name=\"mini\">", "<robot>"),
-            "mini.urdf: error: No name given for the robot.");
-}
-
-TEST_F(UrdfErrorTest, WhatCantBecomeARobotIsToldByName) {
-  EXPECT_EQ(ErrorOfEdit("<sphere radius=\"0.15\"/>", "<mesh filename=\"a.stl\"/>"),
-            "mini.urdf: error: link 'trunk' has a mesh as its collision shape; use boxes, spheres "
-            "and cylinders");
-  EXPECT_EQ(ErrorOfEdit("izz=\"0.04\"", "izz=\"0.4\""),
-            "mini.urdf: error: link 'trunk' has a mass or inertia that no body has");
-  EXPECT_EQ(ErrorOfEdit("name=\"wag\" type=\"revolute\"", "name=\"wag\" type=\"floating\""),
-            "mini.urdf: error: joint 'wag' is neither fixed, revolute, continuous nor prismatic");
-  EXPECT_EQ(
-      ErrorOfEdit("name=\"sole_fixed\" type=\"fixed\"", "name=\"sole_fixed\" type=\"continuous\""),
-      "mini.urdf: error: joint 'sole_fixed' moves a link without mass, 'sole'");
-  EXPECT_EQ(ErrorOfEdit("name=\"footprint_fixed\" type=\"fixed\"",
-                        "name=\"footprint_fixed\" type=\"continuous\""),
-            "mini.urdf: error: link 'footprint' at the root has no mass, so that it needs exactly "
-            "one child and a fixed joint");
-  EXPECT_EQ(
-      ErrorOfEdit("<child link=\"leg\"/><axis", "<child link=\"leg\"/><mimic joint=\"wag\"/><axis"),
-      "mini.urdf: error: joint 'hip' mimics another, which can't be simulated");
-  EXPECT_EQ(ErrorOfEdit("<origin xyz=\"0 0 -0.03\"/>", "<origin xyz=\"0 0 nan\"/>"),
-            "mini.urdf: error: Unable to parse component [nan] to a double (while parsing a vector "
-            "value)");
-}
-
 }  // namespace
 }  // namespace sidestep::urdf_to_mjcf_test

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/body_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "models/import/posture.h"
+#include "models/import/side_names.h"
+#include "models/import/text.h"
+#include "models/support/config_error.h"
+
+namespace sidestep::importer {
+namespace {
+
+constexpr double kMirrorMass = 0.2;       // mirrored limbs differ in mass by less than this share
+constexpr double kMirrorHeight = 0.05;    // and in height by less than this share of the robot's
+constexpr double kLeastLateral_m = 0.01;  // limbs nearer than that to the middle have no side
+constexpr std::size_t kMinLegJoints = 2;  // with fewer it is not a leg that we could name
+constexpr double kLeastClearance = 0.1;   // of the robot's height: all but legs is above the feet
+constexpr double kMainShare = 0.5;        // of a branch's mass, where a limb forks
+
+class PlanFinder {
+ public:
+  PlanFinder(const SourceRobot& robot, std::string file, Notes* notes)
+      : robot_(robot), file_(std::move(file)), notes_(notes), zero_(robot, ZeroPosture(robot)) {}
+
+  BodyPlan Find() {
+    FindLegs();
+    FindFacing();
+    FindArms();
+    FindTorso();
+    const std::vector<int> actuated = plan_.Actuated();
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
+      const int joint = static_cast<int>(i);
+      const bool is_used = std::find(actuated.begin(), actuated.end(), joint) != actuated.end();
+      if (robot_.joints[i].is_moving() && !is_used) plan_.locked.push_back(joint);
+    }
+    return plan_;
+  }
+
+ private:
+  [[noreturn]] void Fail(const std::string& what) const {
+    throw ConfigError(file_ + ": error: " + what);
+  }
+  const SourceJoint& Joint(int joint) const {
+    return robot_.joints[static_cast<std::size_t>(joint)];
+  }
+  Eigen::Vector3d Place(int link) const { return zero_.X_WL(link).translation(); }
+
+  /// Joints that move from `ancestor` down to `link`.
+  std::vector<int> Chain(int ancestor, int link) const {
+    std::vector<int> chain;
+    for (const int joint : JointsBetween(robot_, ancestor, link)) {
+      if (Joint(joint).is_moving()) chain.push_back(joint);
+    }
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+  /// The lowest link above (or equal to) both.
+  int CommonAncestor(int a, int b) const {
+    std::set<int> above_a{a};
+    for (const int joint : JointsBetween(robot_, robot_.root, a))
+      above_a.insert(Joint(joint).parent);
+    while (above_a.count(b) == 0) b = Joint(robot_.joint_above[static_cast<std::size_t>(b)]).parent;
+    return b;
+  }
+
+  /// Lowest point known of a link and what is fixed to it, at zero.
+  double Lowest(int link) const {
+    double lowest = std::min(Place(link).z(), zero_.CenterOfMass_W(link).z());
+    for (const int joint : robot_.joints_below[static_cast<std::size_t>(link)]) {
+      if (!Joint(joint).is_moving()) lowest = std::min(lowest, Lowest(Joint(joint).child));
+    }
+    return lowest;
+  }
+
+  /// Links moved by a joint, below which nothing moves.
+  std::vector<int> Ends() const {
+    std::vector<int> ends;
+    for (const SourceJoint& joint : robot_.joints) {
+      if (!joint.is_moving()) continue;
+      const std::vector<int> below = Subtree(robot_, joint.child);
+      const bool is_end = std::none_of(below.begin() + 1, below.end(), [&](int link) {
+        return Joint(robot_.joint_above[static_cast<std::size_t>(link)]).is_moving();
+      });
+      if (is_end) ends.push_back(joint.child);
+    }
+    return ends;
+  }
+
+  double Height() const {
+    double low = 0.0, high = 0.0;
+    for (const int link : robot_.order) {
+      low = std::min(low, Place(link).z());
+      high = std::max(high, Place(link).z());
+    }
+    return std::max(high - low, 1e-6);
+  }
+
+  bool MirrorEachOther(int link_a, int link_b) const {
+    const double mass_a = SubtreeMass_kg(robot_, link_a), mass_b = SubtreeMass_kg(robot_, link_b);
+    return std::abs(mass_a - mass_b) <= kMirrorMass * std::max(mass_a, mass_b) &&
+           std::abs(Place(link_a).z() - Place(link_b).z()) <= kMirrorHeight * Height();
+  }
+
+  void FindLegs() {
+    std::vector<int> ends = Ends();
+    std::sort(ends.begin(), ends.end(), [&](int a, int b) { return Lowest(a) < Lowest(b); });
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      for (std::size_t k = i + 1; k < ends.size(); ++k) {
+        const int pelvis = CommonAncestor(ends[i], ends[k]);
+        const std::vector<int> chain = Chain(pelvis, ends[i]);
+        if (chain.size() != Chain(pelvis, ends[k]).size() || chain.size() < kMinLegJoints) continue;
+        if (!MirrorEachOther(ends[i], ends[k])) continue;
+        plan_.pelvis = pelvis;
+        RequireLowest(ends[i], ends[k]);
+        plan_.legs = {Leg(ends[i]), Leg(ends[k])};
+        return;
+      }
+    }
+    Fail("has no two legs: no two branches of as many joints mirror each other");
+  }
+
+  /// Arms of a robot without legs end above the rest of it.
+  void RequireLowest(int left, int right) const {
+    std::set<int> in_limbs;
+    for (const int end : {left, right}) {
+      for (const int link : Subtree(robot_, Joint(Chain(plan_.pelvis, end).front()).child)) {
+        in_limbs.insert(link);
+      }
+    }
+    const double feet = std::max(Lowest(left), Lowest(right));
+    for (const int link : robot_.order) {
+      const bool has_mass = robot_.links[static_cast<std::size_t>(link)].has_mass();
+      if (in_limbs.count(link) > 0 || !has_mass ||
+          Place(link).z() > feet + kLeastClearance * Height())
+        continue;
+      Fail("has no two legs that stand on the ground: '" + Name(link) +
+           "' is no higher than the ends of '" + Name(left) + "' and '" + Name(right) + "'");
+    }
+  }
+
+  Limb Leg(int end) {
+    Limb leg{Chain(plan_.pelvis, end), end};
+    if (leg.joints.size() < kLegJoints) {
+      Fail("the leg that ends in '" + Name(end) + "' has " + std::to_string(leg.joints.size()) +
+           " joints (" + NamesOf(leg.joints) +
+           "): a sole that is to stay flat wherever the pelvis goes needs six");
+    }
+    if (leg.joints.size() > kLegJoints) {
+      const std::vector<int> toes(leg.joints.begin() + kLegJoints, leg.joints.end());
+      notes_->push_back("locked " + NamesOf(toes) + ": a leg's joints beyond the sixth");
+      leg.joints.resize(kLegJoints);
+      leg.end = Joint(leg.joints.back()).child;
+    }
+    return leg;
+  }
+
+  const std::string& Name(int link) const {
+    return robot_.links[static_cast<std::size_t>(link)].name;
+  }
+  std::string NamesOf(const std::vector<int>& joints) const {
+    std::string text;
+    for (const int joint : joints) text += (text.empty() ? "" : ", ") + Joint(joint).name;
+    return text;
+  }
+
+  /// +1 if a leg's joints and links are called left, -1 right, 0 neither.
+  int SideOf(const Limb& limb) const {
+    int votes = SideInName(Name(limb.end));
+    for (const int joint : limb.joints) {
+      votes += SideInName(Joint(joint).name) + SideInName(Name(Joint(joint).child));
+    }
+    return votes > 0 ? 1 : votes < 0 ? -1 : 0;
+  }
+
+  /// Puts the left leg first and finds where the robot faces.
+  void FindFacing() {
+    Eigen::Vector3d across = Place(plan_.legs[0].end) - Place(plan_.legs[1].end);
+    const bool is_sideways = std::abs(across.x()) > std::abs(across.y());
+    int side = SideOf(plan_.legs[0]) - SideOf(plan_.legs[1]);
+    if (side == 0 || (!is_sideways && FeetFaceAlongX() && side * across.y() < 0.0)) {
+      if (side != 0) notes_->push_back("took the leg at y > 0 for the left one, against its name");
+      side = is_sideways ? (across.x() < 0.0 ? 1 : -1) : (across.y() > 0.0 ? 1 : -1);
+    }
+    if (side < 0) {
+      std::swap(plan_.legs[0], plan_.legs[1]);
+      across = -across;
+    }
+    if (across.head<2>().norm() < kLeastLateral_m) Fail("its feet are not side by side at zero");
+    const double facing = std::atan2(-across.x(), across.y());
+    plan_.facing_rad = std::round(facing / (0.5 * std::numbers::pi)) * 0.5 * std::numbers::pi;
+    if (plan_.facing_rad != 0.0) {
+      notes_->push_back("the robot faces " + Figure(plan_.facing_rad * 180.0 / std::numbers::pi) +
+                        " degrees from its x at zero");
+    }
+  }
+
+  /// Whether the feet's masses lie before their ankles.
+  bool FeetFaceAlongX() const {
+    double ahead_m = 0.0;
+    for (const Limb& leg : plan_.legs) {
+      ahead_m +=
+          zero_.CenterOfMass_W(leg.end).x() - zero_.X_WJ(leg.joints.back()).translation().x();
+    }
+    return ahead_m > 0.0;
+  }
+
+  bool IsInLegs(int link) const {
+    for (const Limb& leg : plan_.legs) {
+      const std::vector<int> below = Subtree(robot_, Joint(leg.joints.front()).child);
+      if (std::find(below.begin(), below.end(), link) != below.end()) return true;
+    }
+    return false;
+  }
+
+  /// Whether any leg hangs below `link`.
+  bool CarriesLegs(int link) const {
+    const std::vector<int> below = Subtree(robot_, link);
+    return std::find(below.begin(), below.end(), plan_.legs[0].end) != below.end();
+  }
+
+  /// The link that carries `link` without a joint that moves between.
+  int Segment(int link) const {
+    for (;;) {
+      const int above = robot_.joint_above[static_cast<std::size_t>(link)];
+      if (above < 0 || Joint(above).is_moving()) return link;
+      link = Joint(above).parent;
+    }
+  }
+
+  double Lateral(int link) const {
+    const Eigen::Vector3d p =
+        Place(link) - 0.5 * (Place(plan_.legs[0].end) + Place(plan_.legs[1].end));
+    return -std::sin(plan_.facing_rad) * p.x() + std::cos(plan_.facing_rad) * p.y();
+  }
+
+  void FindArms() {
+    double best_kg = 0.0;
+    for (const SourceJoint& left : robot_.joints) {
+      for (const SourceJoint& right : robot_.joints) {
+        if (!left.is_moving() || !right.is_moving() || &left == &right) continue;
+        if (Segment(left.parent) != Segment(right.parent)) continue;
+        if (IsInLegs(left.child) || IsInLegs(right.child)) continue;
+        if (CarriesLegs(left.child) || CarriesLegs(right.child)) continue;
+        if (!MirrorEachOther(left.child, right.child)) continue;
+        const Limb arms[2] = {Arm(left), Arm(right)};
+        if (Lateral(arms[0].end) < kLeastLateral_m || Lateral(arms[1].end) > -kLeastLateral_m)
+          continue;
+        const double mass_kg = SubtreeMass_kg(robot_, left.child);
+        if (mass_kg <= best_kg || arms[0].joints.size() != arms[1].joints.size()) continue;
+        best_kg = mass_kg;
+        plan_.arms = {arms[0], arms[1]};
+      }
+    }
+  }
+
+  /// Down to where the limb forks into fingers, four joints at most.
+  Limb Arm(const SourceJoint& first) const {
+    Limb arm{{static_cast<int>(&first - robot_.joints.data())}, first.child};
+    while (arm.joints.size() < kMaxArmJoints) {
+      const std::optional<int> next = Next(arm.end);
+      if (!next) break;
+      arm.joints.push_back(*next);
+      arm.end = Joint(*next).child;
+    }
+    return arm;
+  }
+
+  /// The joint that carries most of what moves on `link`.
+  std::optional<int> Next(int link) const {
+    std::optional<int> next;
+    double most_kg = 0.0, all_kg = 0.0;
+    for (const int below : Subtree(robot_, link)) {
+      const int joint = robot_.joint_above[static_cast<std::size_t>(below)];
+      if (below == link || !Joint(joint).is_moving() || Segment(Joint(joint).parent) != link)
+        continue;
+      const double mass_kg = SubtreeMass_kg(robot_, below);
+      all_kg += mass_kg;
+      if (mass_kg <= most_kg) continue;
+      most_kg = mass_kg;
+      next = joint;
+    }
+    return most_kg > kMainShare * all_kg ? next : std::nullopt;
+  }
+
+  double SegmentMass_kg(int segment) const {
+    double mass_kg = 0.0;
+    for (const int link : robot_.order) {
+      if (Segment(link) == segment)
+        mass_kg += robot_.links[static_cast<std::size_t>(link)].mass.mass_kg;
+    }
+    return mass_kg;
+  }
+
+  void FindTorso() {
+    if (plan_.has_arms()) {
+      plan_.torso = Segment(Joint(plan_.arms[0].joints.front()).parent);
+    } else {
+      double most_kg = 0.0;
+      for (const int link : robot_.order) {
+        if (Segment(link) != link || IsInLegs(link) || SegmentMass_kg(link) <= most_kg) continue;
+        most_kg = SegmentMass_kg(link);
+        plan_.torso = link;
+      }
+    }
+    const int meeting = CommonAncestor(plan_.pelvis, plan_.torso);
+    std::vector<int> down = Chain(meeting, plan_.pelvis);
+    std::reverse(down.begin(), down.end());
+    const std::vector<int> up = Chain(meeting, plan_.torso);
+    plan_.torso_joints = down;
+    plan_.torso_joints.insert(plan_.torso_joints.end(), up.begin(), up.end());
+  }
+
+  const SourceRobot& robot_;
+  std::string file_;
+  Notes* notes_;
+  Placement zero_;
+  BodyPlan plan_;
+};
+
+}  // namespace
+
+std::vector<int> BodyPlan::Actuated() const {
+  std::vector<int> joints;
+  const auto add = [&](const std::vector<int>& more) {
+    joints.insert(joints.end(), more.begin(), more.end());
+  };
+  for (const Limb& leg : legs) add(leg.joints);
+  add(torso_joints);
+  for (const Limb& arm : arms) add(arm.joints);
+  return joints;
+}
+
+BodyPlan FindBodyPlan(const SourceRobot& robot, const std::string& file, Notes* notes) {
+  return PlanFinder(robot, file, notes).Find();
+}
+
+}  // namespace sidestep::importer

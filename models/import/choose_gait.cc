@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/choose_gait.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/import/text.h"
+
+namespace sidestep::importer {
+namespace {
+
+constexpr double kGravity_mps2 = 9.81;
+constexpr double kKnot_s = 0.05;  // of the MPC in robot.yaml; the gait's times are whole ones
+
+// Over 1 / omega, over the leg's length and over the CoM's height.
+constexpr double kSwing = 1.4;
+constexpr double kDoubleSupport = 0.35;
+constexpr double kStepLength = 0.12;
+constexpr double kSwingHeight = 0.037;
+constexpr double kLandingSpeed = 0.0071;  // over sqrt(g h)
+
+// generic_humanoid's, which the weights and thresholds were found with.
+constexpr double kHeight_m = 0.8149;
+constexpr double kWeight_N = 60.0 * kGravity_mps2;
+
+double Knots(double time_s, double least_s) {
+  return std::max(least_s, kKnot_s * std::round(time_s / kKnot_s));
+}
+
+}  // namespace
+
+Gait ChooseGait(const StartPose& start) {
+  const double h = start.com_height_m;
+  Gait gait;
+  gait.omega_radps = std::sqrt(kGravity_mps2 / h);
+  gait.step_length_m = Rounded(kStepLength * start.leg_length_m, 2);
+  gait.step_width_m = Rounded(start.step_width_m, 3);
+  gait.swing_s = Knots(kSwing / gait.omega_radps, 4 * kKnot_s);
+  gait.double_support_s = Knots(kDoubleSupport / gait.omega_radps, kKnot_s);
+  gait.swing_height_m = Rounded(kSwingHeight * h, 2);
+  gait.landing_speed_mps = Rounded(kLandingSpeed * std::sqrt(kGravity_mps2 * h), 2);
+  return gait;
+}
+
+ControlFigures ChooseControl(double mass_kg, double com_height_m) {
+  const double size = com_height_m / kHeight_m;
+  const double weight = mass_kg * kGravity_mps2 / kWeight_N;
+  ControlFigures figures;
+  figures.com_weight = Rounded(2000.0 / (size * size));
+  figures.height_weight = Rounded(100000.0 / (size * size));
+  figures.momentum_weight = Rounded(5000.0 / (size * size * size));
+  figures.contact_threshold_N = Rounded(25.0 * weight);
+  figures.push_deadband_N = Rounded(20.0 * weight);
+  figures.foot_moment_compliance_radps_per_Nm = Rounded(0.002 / (weight * size));
+  figures.foot_load_compliance_mps_per_N = Rounded(0.0001 / weight);
+  return figures;
+}
+
+}  // namespace sidestep::importer

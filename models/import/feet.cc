@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/feet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/import/fit_shapes.h"
+#include "models/import/posture.h"
+#include "models/import/text.h"
+#include "models/support/config_error.h"
+
+namespace sidestep::importer {
+namespace {
+
+constexpr double kLeastLength_m = 0.03;  // less can't hold a centre of pressure against a push
+constexpr double kLeastWidth_m = 0.02;
+constexpr double kInset_m = 0.005;   // of the vertices from the sole's sides ...
+constexpr double kInsetShare = 0.1;  // ... but no more than this share of the side
+constexpr double kThickness = 0.1;   // of a sole's box, in its length
+constexpr double kUnlevel_rad = 0.002;
+
+using Shapes = std::vector<SourceShape> SourceLink::*;
+
+class FootMaker {
+ public:
+  FootMaker(const BodyPlan& plan, std::string file, MeshFiles* meshes, SourceRobot* robot,
+            Notes* notes)
+      : plan_(plan), file_(std::move(file)), meshes_(*meshes), robot_(*robot), notes_(*notes) {}
+
+  Foot Make(std::size_t side) {
+    const int link = plan_.legs[side].end;
+    Foot foot = Fit(link);
+    const std::string word = side == 0 ? "left" : "right";
+    if (foot.sole.length_m < kLeastLength_m || foot.sole.width_m < kLeastWidth_m) {
+      throw ConfigError(file_ + ": error: the " + word + " foot '" + Link(link).name +
+                        "' has no flat sole (" + Figure(1e3 * foot.sole.length_m, 2) + " mm x " +
+                        Figure(1e3 * foot.sole.width_m, 2) + " mm in its " + foot.found_in +
+                        "): it can't stand on points or edges; give it a <collision> box");
+    }
+    ReplaceMeshes(link, foot.sole);
+    foot.frame = AddFrame(
+        UnusedName(robot_, word + "_sole"), link, foot.sole.X_FS,
+        "middle of the sole, x forward, z up; fitted to the foot's " + foot.found_in, &robot_);
+    foot.force_torque =
+        AddFrame(UnusedName(robot_, word + "_foot_ft"), link, Eigen::Isometry3d::Identity(),
+                 "six-axis sensor between the foot and the ankle", &robot_);
+    foot.vertices_m = Vertices(foot.sole);
+    if (foot.sole.tilt_rad > kUnlevel_rad) {
+      notes_.push_back("the " + word + " sole is tilted by " + Figure(foot.sole.tilt_rad, 2) +
+                       " rad where all joints are at zero");
+    }
+    return foot;
+  }
+
+ private:
+  SourceLink& Link(int link) { return robot_.links[static_cast<std::size_t>(link)]; }
+
+  /// Tries what collides, then what is looked at, then the inertia.
+  Foot Fit(int link) {
+    Foot foot;
+    for (const auto& [shapes, name] :
+         {std::pair<Shapes, const char*>{&SourceLink::collisions, "collision shapes"},
+          std::pair<Shapes, const char*>{&SourceLink::visuals, "visual shapes"}}) {
+      const Sole sole = FitTo(link, Points(link, shapes));
+      if (sole.length_m * sole.width_m <= foot.sole.length_m * foot.sole.width_m) continue;
+      foot.sole = sole;
+      foot.found_in = name;
+      if (sole.length_m >= kLeastLength_m && sole.width_m >= kLeastWidth_m) return foot;
+    }
+    if (foot.found_in.empty() && Link(link).has_mass()) {
+      std::vector<SurfacePoint> points;
+      for (const Eigen::Vector3d& p : SurfaceOf(BoxOfInertia(Link(link).mass), nullptr)) {
+        points.push_back({p, 0.0});
+      }
+      foot.sole = FitTo(link, points);
+      foot.found_in = "inertia, as it has no shape that could be read";
+    }
+    if (foot.found_in.empty()) foot.found_in = "shapes";
+    return foot;
+  }
+
+  Sole FitTo(int link, const std::vector<SurfacePoint>& points) const {
+    const Placement zero(robot_, ZeroPosture(robot_));
+    const Eigen::Matrix3d R_FW = zero.X_WL(link).linear().transpose();
+    const Eigen::Vector3d forward(std::cos(plan_.facing_rad), std::sin(plan_.facing_rad), 0.0);
+    return FitSole(points, R_FW * forward, R_FW * Eigen::Vector3d::UnitZ());
+  }
+
+  /// Of the foot and all that it carries, in the frame of `foot`.
+  std::vector<SurfacePoint> Points(int foot, Shapes shapes) {
+    const Placement zero(robot_, ZeroPosture(robot_));
+    std::vector<SurfacePoint> points;
+    for (const int link : Subtree(robot_, foot)) {
+      const Eigen::Isometry3d X_FL = zero.X_WL(foot).inverse() * zero.X_WL(link);
+      for (const SourceShape& shape : Link(link).*shapes) {
+        const bool is_mesh = shape.kind == ShapeKind::kMesh;
+        const std::shared_ptr<const Mesh> mesh = is_mesh ? meshes_.Find(shape) : nullptr;
+        const double radius_m = shape.kind == ShapeKind::kSphere ? shape.size_m.x() : 0.0;
+        for (const Eigen::Vector3d& p : SurfaceOf(shape, mesh.get())) {
+          points.push_back({X_FL * p, radius_m});
+        }
+      }
+    }
+    return points;
+  }
+
+  /// A foot's meshes, and a foot without a shape, become one box above the sole.
+  void ReplaceMeshes(int foot, const Sole& sole) {
+    bool has_shape = false;
+    std::vector<std::string> replaced;
+    for (const int link : Subtree(robot_, foot)) {
+      std::vector<SourceShape>& shapes = Link(link).collisions;
+      const std::size_t before = shapes.size();
+      std::erase_if(shapes, [](const SourceShape& s) { return s.kind == ShapeKind::kMesh; });
+      if (shapes.size() < before) replaced.push_back(Link(link).name);
+      has_shape = has_shape || !shapes.empty();
+    }
+    if (has_shape && replaced.empty()) return;
+    SourceShape box;
+    const double thickness_m = kThickness * sole.length_m;
+    box.size_m << sole.length_m, sole.width_m, thickness_m;
+    box.X_LS = sole.X_FS * Eigen::Translation3d(0.0, 0.0, 0.5 * thickness_m);
+    box.note = replaced.empty() ? "the foot had no collision shape: its sole as a box"
+                                : "its sole, fitted, instead of a mesh";
+    Link(foot).collisions.push_back(box);
+    notes_.push_back("'" + Link(foot).name + "' stands on a box of " +
+                     Figure(1e3 * sole.length_m, 3) + " mm x " + Figure(1e3 * sole.width_m, 3) +
+                     " mm" + (replaced.empty() ? "" : " instead of meshes"));
+  }
+
+  static Eigen::Matrix3Xd Vertices(const Sole& sole) {
+    const double x = 0.5 * sole.length_m - std::min(kInset_m, kInsetShare * sole.length_m);
+    const double y = 0.5 * sole.width_m - std::min(kInset_m, kInsetShare * sole.width_m);
+    Eigen::Matrix3Xd vertices_m(3, 4);
+    vertices_m << x, x, -x, -x, y, -y, -y, y, 0.0, 0.0, 0.0, 0.0;
+    return vertices_m;
+  }
+
+  const BodyPlan& plan_;
+  std::string file_;
+  MeshFiles& meshes_;
+  SourceRobot& robot_;
+  Notes& notes_;
+};
+
+}  // namespace
+
+std::array<Foot, 2> MakeFeet(const BodyPlan& plan, const std::string& file, MeshFiles* meshes,
+                             SourceRobot* robot, Notes* notes) {
+  FootMaker maker(plan, file, meshes, robot, notes);
+  Foot left = maker.Make(0);
+  return {left, maker.Make(1)};
+}
+
+}  // namespace sidestep::importer

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// feet: finds the soles, and gives them frames and, where a mesh did so before, shapes to stand on.
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+#include "models/import/body_plan.h"
+#include "models/import/fit_sole.h"
+#include "models/import/mesh_files.h"
+#include "models/import/problems.h"
+#include "models/import/source_robot.h"
+
+namespace sidestep::importer {
+
+struct Foot {
+  Sole sole;
+  int frame{-1};                ///< Link without mass, at the sole's middle.
+  int force_torque{-1};         ///< Link without mass, at the ankle: all of the foot is beyond it.
+  std::string found_in;         ///< What the sole was fitted to.
+  Eigen::Matrix3Xd vertices_m;  ///< In the frame: corners a little inside the sole.
+};
+
+/// Fits the soles, left first, adds their frames to the robot and replaces meshes that collide.
+/// Throws ConfigError, naming `file`, if a foot has no flat side of 3 cm by 2 cm or more.
+std::array<Foot, 2> MakeFeet(const BodyPlan& plan, const std::string& file, MeshFiles* meshes,
+                             SourceRobot* robot, Notes* notes);
+
+}  // namespace sidestep::importer

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/choose_motors.h"
+
+#include "models/import/choose_gait.h"
+#include "tests/unit/import/source_of.h"
+
+namespace sidestep::importer {
+namespace {
+
+std::vector<MotorGroup> MotorsOf(const MakerRobot& maker, double gravity_Nm, SourceRobot* robot) {
+  *robot = SourceOf(maker);
+  Notes notes;
+  const BodyPlan plan = FindBodyPlan(*robot, "robot.urdf", &notes);
+  return ChooseMotors(plan, gravity_Nm, robot, &notes);
+}
+
+constexpr double kStep_s = 0.001;
+
+TEST(ChooseMotors, StiffnessGrowsWithGravityAndDampingStaysUnderTheArmature) {
+  SourceRobot robot;
+  const auto heavy = MotorsOf(MakerRobot(), 480.0, &robot);
+  const auto light = MotorsOf(MakerRobot(), 48.0, &robot);
+  ASSERT_EQ(heavy.size(), 3U);  // legs, torso, arms
+  for (std::size_t i = 0; i < heavy.size(); ++i) {
+    EXPECT_NEAR(heavy[i].stiffness_Nm_per_rad, 10.0 * light[i].stiffness_Nm_per_rad, 1e-9);
+    EXPECT_LE(heavy[i].damping_Nms_per_rad * kStep_s, 0.5 * heavy[i].armature_kgm2 * 1.001);
+    EXPECT_LT(heavy[i].stiffness_Nm_per_rad * kStep_s * kStep_s, 0.5 * heavy[i].armature_kgm2);
+  }
+  EXPECT_GT(heavy[0].stiffness_Nm_per_rad, 10.0 * 480.0);
+}
+
+TEST(ChooseMotors, KeepsLimitsThatAMotorCanHave) {
+  SourceRobot robot;
+  MotorsOf(MakerRobot(), 480.0, &robot);
+  const SourceJoint& knee = robot.joints[static_cast<std::size_t>(JointCalled(robot, "left_knee"))];
+  EXPECT_EQ(knee.effort_Nm, 180.0);
+  EXPECT_EQ(knee.velocity_radps, 12.0);
+  EXPECT_TRUE(knee.note.empty());
+}
+
+TEST(ChooseMotors, ReplacesLimitsThatNoMotorHas) {
+  MakerRobot maker;
+  maker.has_wild_limits = true;
+  SourceRobot robot;
+  MotorsOf(maker, 480.0, &robot);
+  const SourceJoint& knee = robot.joints[static_cast<std::size_t>(JointCalled(robot, "left_knee"))];
+  EXPECT_NEAR(knee.effort_Nm, 240.0, 1e-9);
+  EXPECT_EQ(knee.velocity_radps, 12.0);
+  EXPECT_EQ(knee.note,
+            "effort was 1000000000: chosen from the robot's weight; velocity was 0: chosen");
+}
+
+TEST(ChooseGait, IsTheSameWalkAtEverySize) {
+  StartPose big, small;
+  big.com_height_m = 0.8;
+  big.leg_length_m = 0.7;
+  small.com_height_m = 0.2;
+  small.leg_length_m = 0.175;
+  const Gait wide = ChooseGait(big), narrow = ChooseGait(small);
+  EXPECT_NEAR(wide.omega_radps * 2.0, narrow.omega_radps, 1e-9);
+  EXPECT_NEAR(wide.step_length_m, 4.0 * narrow.step_length_m, 0.002);
+  EXPECT_NEAR(wide.swing_s, 2.0 * narrow.swing_s, 0.05);  // whole knots
+  EXPECT_NEAR(wide.swing_height_m, 4.0 * narrow.swing_height_m, 0.002);
+}
+
+TEST(ChooseControl, GenericHumanoidKeepsItsOwn) {
+  const ControlFigures figures = ChooseControl(60.0, 0.8149);
+  EXPECT_DOUBLE_EQ(figures.com_weight, 2000.0);
+  EXPECT_DOUBLE_EQ(figures.momentum_weight, 5000.0);
+  EXPECT_DOUBLE_EQ(figures.contact_threshold_N, 25.0);
+  EXPECT_DOUBLE_EQ(ChooseControl(6.0, 0.8149).contact_threshold_N, 2.5);
+}
+
+}  // namespace
+}  // namespace sidestep::importer

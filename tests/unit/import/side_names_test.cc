@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/side_names.h"
+
+#include <gtest/gtest.h>
+
+namespace sidestep::importer {
+namespace {
+
+TEST(SideNames, ReadsWordsNotLetters) {
+  for (const char* name :
+       {"left_knee", "l_hip", "LHipYaw", "FL_HAA", "leg_left_1", "arm_l", "leftKnee", "LeftArm"}) {
+    EXPECT_EQ(SideInName(name), 1) << name;
+  }
+  for (const char* name : {"right_knee", "r_hip", "RAnkleRoll", "FR_HAA", "J_R3", "arm_r"}) {
+    EXPECT_EQ(SideInName(name), -1) << name;
+  }
+  for (const char* name :
+       {"pelvis", "ankle_roll", "lower_leg", "torso", "", "left_right_bar", "roll_link"}) {
+    EXPECT_EQ(SideInName(name), 0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace sidestep::importer
