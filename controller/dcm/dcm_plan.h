@@ -16,28 +16,17 @@
 // A value: copies go on alike. Two feet on level ground.
 
 #include <Eigen/Core>
-#include <array>
-#include <optional>
 #include <vector>
 
-#include "controller/dcm/pendulum.h"
+#include "controller/dcm/bearing.h"
+#include "controller/dcm/dcm_reference.h"
+#include "controller/dcm/dcm_setup.h"
+#include "controller/dcm/pose_step.h"
 #include "controller/dcm/step_qp.h"
-#include "controller/dcm/support_area.h"
 #include "controller/planner/gait_planner.h"
-#include "controller/planner/step_ahead.h"
-#include "controller/types/control_params.h"
 #include "controller/types/control_tick.h"
 
 namespace sidestep::dcm {
-
-/// The robot as a pendulum on two soles, and how it is to step.
-struct DcmSetup {
-  ControlParams control;     ///< stepping, dcm, planner.timing, the boxes and the least width.
-  double com_height_m{0.5};  ///< Above the ground.
-  double mass_kg{1.0};
-  std::vector<Eigen::Matrix3Xd> vertices_m;  ///< Of each sole, in F.
-  double tick_s{0.001};
-};
 
 class DcmPlan {
  public:
@@ -56,7 +45,7 @@ class DcmPlan {
 
   /// Forces on the vertices of `foot` as of the last Update() (3 x n_v, N, in W); zero where it
   /// does not stand.
-  const Eigen::Matrix3Xd& ForceOn(std::size_t foot) const { return force_N_[foot]; }
+  const Eigen::Matrix3Xd& ForceOn(std::size_t foot) const { return bearing_.ForceOn(foot); }
 
   /// Of the last decision; status kNotSolved if there has been none.
   const StepDecision& decision() const { return decision_; }
@@ -65,38 +54,19 @@ class DcmPlan {
   QpStatus qp_status() const { return qp_status_; }
 
  private:
-  using Feet = std::array<Eigen::Vector2d, 2>;
-
-  double After(Tick tick) const { return SecondsAt(tick - now_, setup_.tick_s); }
-  void LayOutPath(const RobotState& state, const GaitPlanner& planner);
-  void AddRest(const GaitSupport& support, const Feet& feet, std::optional<Tick> until);
-  void AddStep(const GaitSupport& support, const StepAhead& step, const Feet& feet);
-  void DecideOnStep(const RobotState& state, GaitPlanner* planner);
-  StepProblem Pose(const GaitSupport& support, const StepAhead& step, const PlannedContact& contact,
-                   double delay_s) const;
-  void AddSole(const RobotState& state, std::size_t foot, SupportArea* area) const;
-  Eigen::Vector2d HeldPressure(const RobotState& state, std::size_t stance,
-                               const StepProblem& problem) const;
-  void BoundOffset(const StepAhead& step, const GaitParams& gait, StepProblem* problem) const;
-  void Tell(const StepAhead& step, const PlannedContact& contact, Tick landing,
-            GaitPlanner* planner);
-  void Bear(const RobotState& state, const ContactPlan& plan, const Eigen::Vector3d& momentum,
-            double height_m);
-  void ShareOut(const RobotState& state, const Eigen::Vector2d& pressure_m);
+  void DecideOnStep(const RobotState& state, const Eigen::Vector2d& dcm_m, Tick tick,
+                    GaitPlanner* planner);
+  void Tell(const PosedStep& posed, Tick landing, Tick tick, GaitPlanner* planner);
 
   DcmSetup setup_;
   double omega_per_s_;
   StepQp qp_;
-  Tick now_{0};
-  Eigen::Vector2d dcm_m_{Eigen::Vector2d::Zero()};  // the belief's
-  VrpPath path_;                                    // times from now_ on
-  Eigen::Vector2d end_m_{Eigen::Vector2d::Zero()};  // of the DCM, where the path ends
+  DcmReference reference_;
+  Bearing bearing_;
   StepDecision decision_;
   QpStatus qp_status_{QpStatus::kNotSolved};
   std::vector<Foothold> told_;
-  std::array<bool, 2> stands_{};
   ComTarget com_;
-  std::vector<Eigen::Matrix3Xd> force_N_;
 };
 
 }  // namespace sidestep::dcm

@@ -80,4 +80,13 @@ void SupportArea::ShareOut(const Eigen::Vector2d& p_m) {
   for (std::size_t i = 0; i < size_; ++i) points_[i].share /= sum;
 }
 
+void AddInnerSole(const FootState& foot, const Eigen::Matrix3Xd& vertices_m, double share,
+                  SupportArea* area) {
+  const Eigen::Vector3d middle_m = vertices_m.rowwise().mean();
+  for (const auto& vertex_m : vertices_m.colwise()) {
+    const Eigen::Vector3d inner_m = middle_m + share * (vertex_m - middle_m);
+    area->Add((foot.p_WF + foot.R_WF * inner_m).head<2>(), 0.0);
+  }
+}
+
 }  // namespace sidestep::dcm

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 
+#include "controller/types/robot_state.h"
+
 namespace sidestep::dcm {
 
 /// Vertices of the soles that stand, horizontal, in W. A value of fixed size.
@@ -43,5 +45,10 @@ class SupportArea {
   std::array<Point, kMost> points_;
   std::size_t size_{0};
 };
+
+/// Adds the vertices (in F) of a sole at `foot`, drawn in to `share` of their distance from its
+/// middle; none of them likes a force.
+void AddInnerSole(const FootState& foot, const Eigen::Matrix3Xd& vertices_m, double share,
+                  SupportArea* area);
 
 }  // namespace sidestep::dcm

@@ -102,16 +102,16 @@ void CheckMode(const Scenario& scenario, const ConfigTree& root) {
 void CheckStepping(const Scenario& scenario, const ConfigTree& root) {
   const ControlParams& control = scenario.control;
   if (control.stepping == Stepping::kMpc || control.mode == ControlMode::kPassive) return;
-  const bool can_walk = scenario.plant == Plant::kMujoco && scenario.robot.feet.size() == 2 &&
-                        scenario.robot.base_freedom == BaseFreedom::kFree;
+  const bool can_walk =
+      scenario.robot.feet.size() == 2 && scenario.robot.base_freedom == BaseFreedom::kFree;
   const bool walks = std::all_of(scenario.gait.begin(), scenario.gait.end(), [](const auto& gait) {
     return gait.type == GaitType::kStand || gait.type == GaitType::kWalk;
   });
-  if (can_walk && walks && control.mode == ControlMode::kTorque) return;
+  if (can_walk && walks) return;
   FailAtEither(root, "control.stepping", "robot",
                "= " + std::string(EnumName(control.stepping)) +
-                   " needs plant: mujoco, a robot with two feet that moves freely, mode: torque "
-                   "and gaits that stand or walk; write stepping: mpc");
+                   " needs a robot with two feet that moves freely, and gaits that stand or walk; "
+                   "write stepping: mpc");
 }
 
 /// Whether the robot can feel what the control block asks of it.

@@ -47,5 +47,64 @@ TEST(DcmQpTest, RecoversFromAShoveThatFixedFootholdsLose) {
   EXPECT_EQ(stays.verdict.verdict_class, VerdictClass::kFail) << stays.Describe();
 }
 
+// On its servos the iCub's quick walk is theirs too.
+TEST_P(BaselinesTest, WalksOnServos) {
+  const ClosedLoopRun run(
+      "icub_quick_push",
+      {"control.stepping=" + GetParam(), "pushes=[]", "duration_s=6",
+       "expect={fall: false, gait_speed_mps: {min: 0.15}, wbc_failures: {max: 0}}"});
+  EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << run.Describe();
+}
+
+// A metre a second for a tenth of a second, nearly, forwards and to the left: on the plant that has
+// no attitude, where spinning costs nothing, a robot that recovers must not have spun.
+class CentroidalShoveTest : public testing::TestWithParam<const char*> {
+ protected:
+  static ClosedLoopRun Run(std::vector<std::string> overrides) {
+    overrides.insert(
+        overrides.end(),
+        {"gait={type: walk, step_width_m: 0.2, swing_s: 0.35, double_support_s: 0.1, "
+         "swing_height_m: 0.05, step_length_m: 0.1}",
+         std::string("pushes=[{body: com, impulse_Nspkg: 0.9, at_phase: mid_swing, after_s: 2, "
+                     "duration_s: 0.1, direction_rad: ") +
+             GetParam() + "}]",
+         "expect={recovered: true, max_angular_momentum_kgm2ps: {max: 0.3}}"});
+    return ClosedLoopRun("two_legs", overrides);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Directions, CentroidalShoveTest, testing::Values("0", "1.5708"),
+                         [](const auto& direction) {
+                           return std::string(direction.index == 0 ? "Forwards" : "ToTheLeft");
+                         });
+
+const std::vector<std::string> kFixedFootholds{"control.mpc.box_lower_m=[0, 0, 0]",
+                                               "control.mpc.box_upper_m=[0, 0, 0]",
+                                               "control.planner.timing.error_m=0"};
+
+TEST_P(CentroidalShoveTest, TheBaselinesStepAndRecover) {
+  for (const char* stepping : {"dcm_qp", "capture_point"}) {
+    const ClosedLoopRun run = Run({std::string("control.stepping=") + stepping});
+    EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kPass) << stepping << run.Describe();
+  }
+}
+
+TEST_P(CentroidalShoveTest, WithTheirFootholdsFixedTheyDoNot) {
+  for (const char* stepping : {"dcm_qp", "capture_point"}) {
+    std::vector<std::string> overrides = kFixedFootholds;
+    overrides.push_back(std::string("control.stepping=") + stepping);
+    const ClosedLoopRun run = Run(overrides);
+    EXPECT_EQ(run.verdict.verdict_class, VerdictClass::kFail) << stepping;
+  }
+}
+
+// The MPC's weight on the angular momentum keeps it from spinning, as a robot's trunk would.
+TEST_P(CentroidalShoveTest, TheMpcFallsWithFixedFootholdsIfItMayNotSpin) {
+  std::vector<std::string> overrides = kFixedFootholds;
+  overrides.push_back("control.mpc.weights.angular_momentum=[1e5, 1e5, 1e5]");
+  const ClosedLoopRun run = Run(overrides);
+  EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
+}
+
 }  // namespace
 }  // namespace sidestep

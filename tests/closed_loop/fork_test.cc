@@ -34,9 +34,9 @@ std::vector<std::string> ShippedNames() {
   return names;
 }
 
-Scenario Shipped(const std::string& name) {
+Scenario Shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
   return ReadScenario(std::filesystem::path(SIDESTEP_SOURCE_DIR) / "scenarios" / (name + ".yaml"),
-                      {});
+                      overrides);
 }
 
 // summary.json without what a clock wrote.
@@ -133,6 +133,26 @@ TEST_P(ForkTest, AForkedRunIsTheStraightRunBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, ForkTest, testing::ValuesIn(ShippedNames()),
+                         [](const auto& param) { return param.param; });
+
+// No shipped scenario has the baselines in the MPC's place.
+class BaselineForkTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(BaselineForkTest, AForkWithAFootInTheAirIsTheStraightRunBitForBit) {
+  const std::string stepping = "control.stepping=" + GetParam();
+  for (const Scenario& scenario :
+       {Shipped("icub_torque_push", {stepping, "duration_s=7"}),
+        Shipped("two_legs", {stepping, "gait={type: walk, step_width_m: 0.2}", "duration_s=4"})}) {
+    const std::string straight = Straight(scenario, MakeController).second;
+    const Tick at = TickAt(scenario.pushes[0].start_s + 0.123, scenario.world.step_s);
+    const auto [original, fork] = Forked(scenario, at, MakeController);
+    EXPECT_GT(straight.size(), 100000U);
+    EXPECT_TRUE(original == straight) << "the original was disturbed by the fork";
+    EXPECT_TRUE(fork == straight) << "the fork went its own way";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BaselineForkTest, testing::Values("dcm_qp", "capture_point"),
                          [](const auto& param) { return param.param; });
 
 // All metrics of a run and its verdict, bit for bit.
