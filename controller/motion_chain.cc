@@ -135,6 +135,7 @@ void MotionChain::WriteTo(ControlTick* tick) const {
   tick->com = com_;
   tick->feet = feet_;
   tick->mpc = report_;
+  if (dcm_) tick->step.status = dcm_->qp_status();
   tick->mpc_age_s = mpc_.Age_s(tick->tick);
 }
 

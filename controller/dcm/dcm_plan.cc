@@ -122,6 +122,7 @@ void DcmPlan::AddStep(const GaitSupport& support, const StepAhead& step, const F
 }
 
 void DcmPlan::DecideOnStep(const RobotState& state, GaitPlanner* planner) {
+  qp_status_ = QpStatus::kNotSolved;
   const auto step = StepAheadOf(planner->setup(), planner->support());
   if (!step || now_ >= step->landing) return;
   const PlannedContact* contact = Upcoming(planner->plan(), step->foot, now_);
@@ -135,6 +136,7 @@ void DcmPlan::DecideOnStep(const RobotState& state, GaitPlanner* planner) {
   if (!has_begun) return;
   const bool is_qp = setup_.control.stepping == Stepping::kDcmQp;
   const StepDecision decision = is_qp ? qp_.Solve(problem) : CapturePointStep(problem);
+  if (is_qp) qp_status_ = decision.status;
   if (decision.status != QpStatus::kSolved) return;
   decision_ = decision;
   const double ahead_s = decision.time_s - problem.elapsed_s - delay_s;

@@ -61,6 +61,9 @@ class DcmPlan {
   /// Of the last decision; status kNotSolved if there has been none.
   const StepDecision& decision() const { return decision_; }
 
+  /// How the last Update()'s QP went; kNotSolved if it had none to solve.
+  QpStatus qp_status() const { return qp_status_; }
+
  private:
   using Feet = std::array<Eigen::Vector2d, 2>;
 
@@ -89,6 +92,7 @@ class DcmPlan {
   VrpPath path_;                                    // times from now_ on
   Eigen::Vector2d end_m_{Eigen::Vector2d::Zero()};  // of the DCM, where the path ends
   StepDecision decision_;
+  QpStatus qp_status_{QpStatus::kNotSolved};
   std::vector<Foothold> told_;
   std::array<bool, 2> stands_{};
   ComTarget com_;

@@ -59,6 +59,11 @@ struct WbcReport {
   int iterations{0};
 };
 
+/// How a baseline's QP for the next step went.
+struct StepReport {
+  QpStatus status{QpStatus::kNotSolved};  ///< kNotSolved where none was solved on this very tick.
+};
+
 /// A controller's answer and, for the log, what it thought. Only `tick` and `command` must be set:
 /// a state without feet says that it believes nothing, no feet that it plans nothing. Of all this
 /// only `command` reaches the world, and no metric of MetricGroup::kTruth reads the rest. Written
@@ -71,6 +76,7 @@ struct ControlTick {
   std::vector<FootTarget> feet;  ///< In the order of RobotDescription::feet.
   MpcReport mpc;
   double mpc_age_s{0.0};  ///< Since the measurement behind the solution in use.
+  StepReport step;
   WbcReport wbc;
   ActuatorCommand command;  ///< Acts until the next one.
 };

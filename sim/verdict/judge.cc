@@ -82,6 +82,15 @@ std::vector<Reason> Judge::State::FailuresIn(
                            meters.solver().lost_status(),
                        SecondsAt(*meters.solver().lost_tick(), tick_s)});
   }
+  const std::optional<Solver> solver = meters.solver().failing_solver();
+  if (solver && !meters.solver().lost_tick()) {
+    const SolverCount& count = meters.solver().count(*solver);
+    reasons.push_back({reason::kSolver,
+                       std::to_string(count.failures) + " of " + std::to_string(count.solves) +
+                           " " + kSolverNames[static_cast<std::size_t>(*solver)] +
+                           " solves failed; at most 5 % may",
+                       std::nullopt});
+  }
   for (const ExpectationResult& result : expectations) {
     const std::string& metric = result.expectation.metric;
     const bool is_said = (metric == "fall" && fall_fails) || (metric == "slip" && slip_fails);

@@ -14,7 +14,8 @@
 //           plant), tilted by more than max_tilt_rad from its attitude at the start, or a body
 //           other than a foot on the ground.
 //   SLIP    a foot slides by more than max_slip_m in one stance, before any fall.
-//   SOLVER  the MPC fails more than five times in a row, before any fall.
+//   SOLVER  before any fall the MPC fails more than five times in a row, or a solver (MPC, whole
+//           body, a baseline's step) in more than 5 % of its solves and more than five times.
 //   EXPECTATION   one per expectation that is not met.
 // A scenario that expects `fall: true` (`slip: true`) is not failed by FALL (SLIP).
 

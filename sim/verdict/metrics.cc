@@ -119,7 +119,16 @@ constexpr std::array kMetrics{
                "the first push on",
                false, kController},
     MetricInfo{"mpc_failures", "", "MPC solves that did not converge", false, kController},
-    MetricInfo{"wbc_failures", "", "whole-body problems that were not solved", false, kController},
+    MetricInfo{"wbc_failures", "",
+               "whole-body problems that were not solved, or only after exact tasks gave way",
+               false, kController},
+    MetricInfo{"step_failures", "", "step problems of stepping: dcm_qp that were not solved", false,
+               kController},
+    MetricInfo{
+        "max_solver_failure_ratio", "",
+        "largest share of a solver's problems (MPC, whole body, step) that it did not solve, "
+        "before any fall",
+        false, kController},
     MetricInfo{"solver_fallbacks", "", "times a shifted older plan stood in for a failed solve",
                false, kController},
     MetricInfo{"max_cone_violation_N", "N",

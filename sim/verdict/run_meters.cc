@@ -199,8 +199,10 @@ void RunMeters::AddControllerMetrics(Metrics& metrics) const {
   metrics.insert({
       {"planned_mean_step_adjustment_m", MeanOrNaN(adjustments_m)},
       {"planned_max_step_adjustment_m", LargestOrZero(adjustments_m)},
-      {"mpc_failures", static_cast<double>(solver_.mpc_failures())},
-      {"wbc_failures", static_cast<double>(solver_.wbc_failures())},
+      {"mpc_failures", static_cast<double>(solver_.count(Solver::kMpc).failures)},
+      {"wbc_failures", static_cast<double>(solver_.count(Solver::kWholeBody).failures)},
+      {"step_failures", static_cast<double>(solver_.count(Solver::kStep).failures)},
+      {"max_solver_failure_ratio", solver_.max_failure_ratio()},
       {"solver_fallbacks", static_cast<double>(solver_.fallbacks())},
       {"max_cone_violation_N", solver_.max_cone_violation_N()},
       {"max_box_violation_m", plan_.max_box_violation_m()},

@@ -49,7 +49,7 @@ constexpr int ExitCodeOf(VerdictClass verdict) {
 namespace reason {
 inline constexpr char kFall[] = "FALL";  ///< At the first sign.
 inline constexpr char kSlip[] = "SLIP";
-inline constexpr char kSolver[] = "SOLVER";  ///< Too many MPC failures in a row.
+inline constexpr char kSolver[] = "SOLVER";  ///< Solvers failed too often.
 inline constexpr char kExpectation[] = "EXPECTATION";
 inline constexpr char kDiverged[] = "DIVERGED";        ///< Non-finite state, or a MuJoCo warning.
 inline constexpr char kInterrupted[] = "INTERRUPTED";  ///< By the user.

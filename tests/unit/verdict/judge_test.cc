@@ -172,14 +172,50 @@ TEST(JudgeTest, SixFailedSolvesInARowLoseTheSolverFiveDoNot) {
   EXPECT_EQ(NumberOf(lost, "solver_fallbacks"), 6.0);
 }
 
-TEST(JudgeTest, ASolveInBetweenForgivesTheFailuresBefore) {
+TEST(JudgeTest, ASolveInBetweenForgivesTheRowBefore) {
   const RunOutcome outcome =
-      OutcomeOf(OneFootScenario(), 100, [](Tick tick, WorldTruth&, ControlTick& control) {
-        if (tick % 10 == 0) return;  // four of five solves fail
+      OutcomeOf(OneFootScenario(), 300, [](Tick tick, WorldTruth&, ControlTick& control) {
+        if (tick >= 22 || tick == 10) return;  // two rows of five control ticks
         control.mpc.status = SolveStatus::kInfeasible;
       });
-  EXPECT_EQ(KindsOf(outcome), Kinds{});
-  EXPECT_EQ(NumberOf(outcome, "mpc_failures"), 40.0);
+  EXPECT_EQ(KindsOf(outcome), Kinds{"SOLVER"}) << "10 of 151 solves, though no row of six";
+  const RunOutcome longer =
+      OutcomeOf(OneFootScenario(), 600, [](Tick tick, WorldTruth&, ControlTick& control) {
+        if (tick >= 22 || tick == 10) return;
+        control.mpc.status = SolveStatus::kInfeasible;
+      });
+  EXPECT_EQ(KindsOf(longer), Kinds{});
+  EXPECT_EQ(NumberOf(longer, "mpc_failures"), 10.0);
+}
+
+// Fails the first `count` of `solves` whole-body solves.
+RunOutcome WithFailedWholeBody(int count, int solves) {
+  return OutcomeOf(OneFootScenario(), (solves - 1) * kControlPeriod,
+                   [=](Tick tick, WorldTruth&, ControlTick& control) {
+                     control.wbc.ok = tick / kControlPeriod >= count;
+                   });
+}
+
+TEST(JudgeTest, AWholeBodyThatFailsInMoreThanAShareOfItsSolvesIsNoPass) {
+  EXPECT_EQ(KindsOf(WithFailedWholeBody(10, 200)), Kinds{}) << "5 % are borne, in a row or not";
+  const RunOutcome lost = WithFailedWholeBody(11, 200);
+  EXPECT_EQ(KindsOf(lost), Kinds{"SOLVER"});
+  EXPECT_EQ(lost.verdict.reasons[0].text, "11 of 200 whole-body solves failed; at most 5 % may");
+  EXPECT_EQ(NumberOf(lost, "wbc_failures"), 11.0);
+  EXPECT_EQ(NumberOf(lost, "max_solver_failure_ratio"), 0.055);
+  EXPECT_EQ(KindsOf(WithFailedWholeBody(5, 10)), Kinds{}) << "five of a short run are borne too";
+  EXPECT_EQ(KindsOf(WithFailedWholeBody(6, 10)), Kinds{"SOLVER"});
+}
+
+TEST(JudgeTest, ABaselinesStepsAreSolvesToo) {
+  const RunOutcome outcome =
+      OutcomeOf(OneFootScenario(), 100, [](Tick tick, WorldTruth&, ControlTick& control) {
+        if (tick % 10 != 0) return;  // nothing to decide then
+        control.step.status = tick < 60 ? QpStatus::kInfeasible : QpStatus::kSolved;
+      });
+  EXPECT_EQ(KindsOf(outcome), Kinds{"SOLVER"});
+  EXPECT_EQ(outcome.verdict.reasons[0].text, "6 of 11 step solves failed; at most 5 % may");
+  EXPECT_EQ(NumberOf(outcome, "step_failures"), 6.0);
 }
 
 TEST(JudgeTest, EveryMissedExpectationIsAReason) {
