@@ -45,7 +45,8 @@ class FallMeter {
 
   double min_height_m() const { return min_height_m_; }  ///< Infinite before the first tick.
   double max_height_m() const { return max_height_m_; }  ///< Likewise.
-  double tilt_rad() const { return tilt_rad_; }          ///< At the last tick; see TiltRad.
+  double nominal_height_m() const { return nominal_height_m_; }
+  double tilt_rad() const { return tilt_rad_; }  ///< At the last tick; see TiltRad.
   double max_tilt_rad() const { return max_tilt_rad_; }
 
  private:

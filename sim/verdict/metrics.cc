@@ -24,6 +24,11 @@ constexpr std::array kMetrics{
                "lowest height of the base; of the CoM on the centroidal plant", false, kTruth},
     MetricInfo{"max_base_height_m", "m",
                "greatest height of the base; of the CoM on the centroidal plant", false, kTruth},
+    MetricInfo{
+        "min_base_height_ratio", "",
+        "min_base_height_m over the robot's base_height_m; com_height_m on the centroidal plant",
+        false, kTruth},
+    MetricInfo{"max_base_height_ratio", "", "max_base_height_m likewise", false, kTruth},
     MetricInfo{"max_tilt_rad", "rad",
                "largest angle of the base from its attitude at the start, yaw apart", false,
                kTruth},

@@ -38,6 +38,8 @@ TEST(JudgeTest, RobotThatStandsPasses) {
   EXPECT_FALSE(FlagOf(outcome, "fall"));
   EXPECT_FALSE(FlagOf(outcome, "slip"));
   EXPECT_DOUBLE_EQ(NumberOf(outcome, "min_base_height_m"), 0.6);
+  EXPECT_DOUBLE_EQ(NumberOf(outcome, "min_base_height_ratio"), 1.0);
+  EXPECT_DOUBLE_EQ(NumberOf(outcome, "max_base_height_ratio"), 1.0);
 }
 
 TEST(JudgeTest, MeasuresExactlyTheKnownMetricsWithTheirTypes) {
