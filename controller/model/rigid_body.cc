@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "models/mjcf/leg_root.h"
 #include "models/robot_description/home_pose.h"
 #include "models/support/require.h"
 
@@ -47,7 +48,7 @@ RigidBody::RigidBody(const RobotDescription& robot)
   Update(home);
   for (std::size_t foot = 0; foot < num_feet(); ++foot) {
     const bool is_sole = robot.feet[foot].vertices_m.cols() > 1;
-    legs_.push_back(FindStretchedLeg(state_, base_body_, foot_site_[foot], is_sole));
+    legs_.push_back(FindStretchedLeg(state_, leg_root_body_, foot_site_[foot], is_sole));
   }
 }
 
@@ -57,6 +58,7 @@ void RigidBody::ResolveNames(const RobotDescription& robot) {
   for (const FootDescription& foot : robot.feet) {
     foot_site_.push_back(RequireId(model, mjOBJ_SITE, foot.frame));
   }
+  leg_root_body_ = RootOfLegs(model, foot_site_, base_body_);
   imu_site_ = RequireId(model, mjOBJ_SITE, robot.imu);
   ResolveImuChain();
   if (!robot.torso.empty()) torso_site_ = RequireId(model, mjOBJ_SITE, robot.torso);
@@ -161,6 +163,11 @@ void RigidBody::Update(const RobotState& state) {
   has_state_ = true;
   evaluated_.has_mass_matrix = evaluated_.has_bias = evaluated_.has_frame_jacobians =
       evaluated_.has_frame_bias = evaluated_.has_angular_momentum = false;
+}
+
+Eigen::Matrix3d RigidBody::leg_root_R_W() const {
+  RequireState();
+  return ConstMatrix3Map(state_->xmat + 9 * leg_root_body_);
 }
 
 void RigidBody::Translate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) {

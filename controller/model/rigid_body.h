@@ -131,6 +131,12 @@ class RigidBody {
   const ImuKinematics& imu() const;
   const TorsoKinematics& torso() const;
 
+  /// Whether the legs hang on another body than the base, over joints: the model is rooted above a
+  /// waist, or in a foot.
+  bool has_waist() const { return leg_root_body_ != base_body_; }
+  /// Attitude in W of the body that the legs hang on.
+  Eigen::Matrix3d leg_root_R_W() const;
+
   const Eigen::MatrixXd& mass_matrix() const;  ///< M, nv x nv.
   const Eigen::VectorXd& bias() const;         ///< h, nv.
 
@@ -207,6 +213,7 @@ class RigidBody {
   int base_body_{0};
   BaseJoints base_;
   std::vector<int> foot_site_;
+  int leg_root_body_{0};
   std::vector<std::optional<StretchedLeg>> legs_;
   std::vector<int> actuated_position_;  // index in qpos
   std::vector<int> actuated_velocity_;

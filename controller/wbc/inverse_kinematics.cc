@@ -60,11 +60,11 @@ Eigen::Index InverseKinematics::Joint(std::size_t actuator) const {
   return body_.actuated_velocity()[actuator];
 }
 
-WbcReport InverseKinematics::Solve(const RobotState& state, const RigidBody& /*body*/,
+WbcReport InverseKinematics::Solve(const RobotState& state, const RigidBody& body,
                                    const ComTarget& com, const std::vector<FootTarget>& feet,
                                    ActuatorCommand* command) {
   if (!started_) Start(state);
-  Anchor(state);
+  Anchor(state, body);
   body_.Update(commanded_);
   const double min_force_N = kMinCarriedShare * body_.mass_kg() * body_.gravity_mps2().norm();
   const Eigen::Vector3d v_WC = CorrectedComVelocity(
@@ -107,13 +107,20 @@ void InverseKinematics::Start(const RobotState& state) {
 
 // Moves the commanded robot as a whole towards the belief: attitude about its standing feet, then
 // position. The joints, which are all that the servos see, do not notice. The model still is where
-// the last tick began: to first order its feet have moved since as that tick's twist says.
-void InverseKinematics::Anchor(const RobotState& state) {
+// the last tick began: to first order its feet have moved since as that tick's twist says. Where a
+// waist is between base and legs it is brought up to date.
+void InverseKinematics::Anchor(const RobotState& state, const RigidBody& believed) {
+  const bool has_waist = body_.has_waist();
+  if (has_waist) body_.Update(commanded_);
   Eigen::Vector3d p_cmd = Eigen::Vector3d::Zero(), p_believed = Eigen::Vector3d::Zero();
   int standing = 0;
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     if (!holds_[i].active || !state.feet[i].in_contact) continue;
-    p_cmd += body_.feet()[i].p_WF + dt_s_ * (body_.foot_jacobian(i).J * nu_);
+    if (has_waist) {
+      p_cmd += body_.feet()[i].p_WF;
+    } else {
+      p_cmd += body_.feet()[i].p_WF + dt_s_ * (body_.foot_jacobian(i).J * nu_);
+    }
     p_believed += state.feet[i].p_WF;
     ++standing;
   }
@@ -122,8 +129,10 @@ void InverseKinematics::Anchor(const RobotState& state) {
   p_believed /= standing;
   const double turn_share = std::min(1.0, params_.attitude_anchor_per_s * dt_s_);
   const double shift_share = std::min(1.0, params_.position_anchor_per_s * dt_s_);
-  const Eigen::Vector3d turn = turn_share * RotationError_W(commanded_.q_WB.toRotationMatrix(),
-                                                            state.q_WB.toRotationMatrix());
+  const Eigen::Vector3d turn =
+      turn_share * (has_waist ? RotationError_W(body_.leg_root_R_W(), believed.leg_root_R_W())
+                              : RotationError_W(commanded_.q_WB.toRotationMatrix(),
+                                                state.q_WB.toRotationMatrix()));
   const Eigen::Quaterniond rotation = FromRotationVector(turn);
   const Eigen::Vector3d shift = shift_share * (p_believed - p_cmd);
   commanded_.q_WB = (rotation * commanded_.q_WB).normalized();

@@ -12,10 +12,11 @@
 // servos' references. Starred velocities are feed-forward plus gain times error of the commanded
 // robot. Measurements enter by the CoM velocity (com_zmp_correction) and by the anchor: a rigid
 // motion of the commanded robot, which leaves its joints alone and keeps it where the belief sees
-// the standing feet and the base's attitude.
-// Standing feet may give way to the ground (foot_compliance.h), and a swinging foot's attitude may
-// be weighed instead of exact.
-// Source: Romualdi et al. (ICRA 2022), section III-C.
+// the standing feet and the attitude of the body that the legs hang on. (Not the base's, if a waist
+// is between them: how far the trunk makes its servos give way is not how far the robot has turned.
+// Feet would turn against it, and the trunk lean more.) Standing feet may give way to the ground
+// (foot_compliance.h), and a swinging foot's attitude may be weighed instead of exact. Source:
+// Romualdi et al. (ICRA 2022), section III-C.
 
 #include <Eigen/Core>
 #include <memory>
@@ -37,10 +38,10 @@ class InverseKinematics final : public WholeBody {
   InverseKinematics(const RobotDescription& robot, const InverseKinematicsParams& params,
                     double dt_s);
 
-  /// `body` is not read: the commanded robot has one of its own.
-  /// If no twist meets all exact rows and limits, those of the CoM become a task of high weight and
-  /// the report is not ok; should that fail too, the commanded robot stays where it is. The first
-  /// call puts the commanded robot at the belief.
+  /// `body` is read only of a robot with a waist between base and legs: the commanded robot has one
+  /// of its own. If no twist meets all exact rows and limits, those of the CoM become a task of
+  /// high weight and the report is not ok; should that fail too, the commanded robot stays where it
+  /// is. The first call puts the commanded robot at the belief.
   WbcReport Solve(const RobotState& state, const RigidBody& body, const ComTarget& com,
                   const std::vector<FootTarget>& feet, ActuatorCommand* command) override;
   std::unique_ptr<WholeBody> Clone() const override;
@@ -57,8 +58,9 @@ class InverseKinematics final : public WholeBody {
 
   /// The commanded robot as it is believed to be, at rest, every foot held.
   void Start(const RobotState& state);
-  /// Draws the commanded robot as a whole to the belief, while a held foot is felt.
-  void Anchor(const RobotState& state);
+  /// Draws the commanded robot as a whole to the belief, which `believed` is at, while a held foot
+  /// is felt.
+  void Anchor(const RobotState& state, const RigidBody& believed);
   void Build(const Eigen::Vector3d& v_WC, const RobotState& state,
              const std::vector<FootTarget>& feet);
   /// Exact rows, six on a base that floats freely: flat, on its hold or along its target.
