@@ -4,11 +4,12 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace sidestep {
 
-/// One line for the user: `file:line:column: error: what was expected`. Caught only in main,
-/// which prints it and exits with 2. Line and column count from 1.
+/// Lines for the user, nearly always one: `file:line:column: error: what was expected`. Caught only
+/// in main, which prints them and exits with 2. Line and column count from 1.
 class ConfigError : public std::runtime_error {
  public:
   /// A complete message, for mistakes that have no place in a file (a missing file, a flag).
@@ -16,6 +17,9 @@ class ConfigError : public std::runtime_error {
 
   /// A message with its place.
   ConfigError(const std::string& file, int line, int column, const std::string& what);
+
+  /// Complete messages of all that is wrong, at least one. Each takes a line, whatever is in it.
+  explicit ConfigError(const std::vector<std::string>& messages);
 };
 
 }  // namespace sidestep

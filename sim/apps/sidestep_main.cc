@@ -118,7 +118,8 @@ int main(int argc, char** argv) {
   try {
     return RunCommandLine(argc, argv);
   } catch (const ConfigError& error) {
-    PrintError("", error.what());
+    std::fflush(stdout);
+    std::fprintf(stderr, "%s\n", error.what());  // a line each of what is wrong
     return kExitBadInput;
   } catch (const std::filesystem::filesystem_error& error) {
     PrintError("sidestep: error: ", error.what());  // a path the user gave and we may not touch

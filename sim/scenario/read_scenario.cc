@@ -134,7 +134,7 @@ Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string
     throw ConfigError(robot + ": error: is neither a robot that ships nor a robot.yaml; " +
                       DidYouMean(robot, ShippedRobots(), "robots that ship"));
   }
-  const RobotDescription description = ReadRobotDescription(file);
+  const RobotDescription description = ReadSoundRobot(file);
   const ConfigSource source{robot, false};
   ConfigTree root =
       ParseConfig(std::string("{sidestep: 1, name: robot, robot: '', duration_s: 1") +
@@ -142,7 +142,7 @@ Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string
                       ", gait: {type: " + (description.feet.size() == 1 ? "hop" : "walk") + "}}",
                   source);
   root.children[2].scalar = robot;  // as it is: no YAML
-  return ReadTree(std::move(root), "", overrides, note, ReadRobotDescription);
+  return ReadTree(std::move(root), "", overrides, note, ReadSoundRobot);
 }
 
 bool IsRobotFile(const std::filesystem::path& word) {

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "models/robot_description/robot_description.h"
+#include "models/robot_description/robot_faults.h"
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
@@ -19,7 +19,7 @@ struct RobotsArguments {
 
 RobotDescription Describe(const std::string& robot) {
   const std::filesystem::path file = FindRobot(robot, std::filesystem::current_path());
-  if (!file.empty()) return ReadRobotDescription(file);
+  if (!file.empty()) return ReadSoundRobot(file);
   std::string shipped;
   for (const std::string& name : ShippedRobots()) shipped += (shipped.empty() ? "" : ", ") + name;
   throw ConfigError("error: there is no robot '" + robot + "'; shipped: " + shipped);
