@@ -12,6 +12,7 @@
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
 #include "sim/scenario/apply_override.h"
+#include "sim/scenario/check_parts.h"
 #include "sim/scenario/check_scenario.h"
 #include "sim/scenario/read_fields.h"
 #include "sim/scenario/read_sections.h"
@@ -115,6 +116,7 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
   Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot, &pushes));
   map.RejectUnknownKeys();
   CheckMotion(scenario, root);
+  WarnOfServos(scenario, note);
   scenario.pushes = ResolvePushes(pushes, scenario, root);
   CheckSurroundings(scenario, root);
   return scenario;

@@ -7,6 +7,7 @@
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
+#include "sim/apps/commands/print_robot.h"
 #include "sim/world/world_model.h"
 
 namespace sidestep {
@@ -40,6 +41,7 @@ void Print(const RobotDescription& robot) {
   std::printf("  model   %s\n",
               robot.model ? robot.model->file.c_str() : "none: for the centroidal plant only");
   std::printf("  feet    %s\n", Listed(feet).c_str());
+  PrintRobotFigures(robot);
   std::printf("  bodies  %s\n", Listed(names.bodies).c_str());
   std::printf("  frames  %s\n", Listed(names.frames).c_str());
 }
