@@ -194,7 +194,7 @@ TEST_F(RobotErrorTest, Keys) {
       ErrorOfEdit("mini", "base: trunk", "base: trunk\ncolour: red"),
       "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
       "com_height_m, urdf, mjcf, mass_kg, base, imu, torso, base_height_m, base_rpy_rad, home, "
-      "arm_force_torque, feet, control, control_torque");
+      "arm_force_torque, feet, joints, control, control_torque");
   EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: foot, size: 1"),
             "robot.yaml:10:31: error: feet.0.size is not a known key; known keys: name, frame, "
             "force_torque, vertices_m, preferred_cop_m, sole_height_m");
