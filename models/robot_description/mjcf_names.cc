@@ -154,6 +154,9 @@ MjcfNames NamesOf(const mjModel& model) {
   }
   for (int id = 0; id < model.nu; ++id) {
     if (const auto unfit = UnfitnessOf(model, id)) names.unfit_motors.push_back(*unfit);
+    if (model.actuator_trntype[id] != mjTRN_JOINT) continue;
+    const char* joint = mj_id2name(&model, mjOBJ_JOINT, model.actuator_trnid[2 * id]);
+    if (joint != nullptr) names.motor_joints.emplace_back(joint);
   }
   for (int body = 1; body < model.nbody; ++body) {
     const char* name = mj_id2name(&model, mjOBJ_BODY, body);

@@ -28,6 +28,8 @@ struct MjcfNames {
   /// Children of the world with joints that are no base, and why: see BaseFault().
   std::map<std::string, std::string> base_faults;
   std::vector<UnfitMotor> unfit_motors;
+  /// That the actuators move, in their order; without those that act on no joint or a nameless one.
+  std::vector<std::string> motor_joints;
 };
 
 /// Names of a compiled model.

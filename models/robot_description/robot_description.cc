@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "models/mjcf/mjcf.h"
+#include "models/robot_description/mjcf_joints.h"
 #include "models/robot_description/mjcf_names.h"
 #include "models/robot_description/robot_parts.h"
 #include "models/robot_description/sagittal_plane.h"
@@ -44,7 +45,9 @@ void ReadMjcfRobot(ConfigMap& map, RobotDescription* robot) {
     mass->Fail("is told by the MJCF; leave it out");
   }
   robot->model = ReadMjcfModel(file);
-  ReadModelParts(map, {ModelLanguage::kMjcf, ReadMjcfNames(file)}, robot);
+  const KnownParts parts{ModelLanguage::kMjcf, ReadMjcfNames(file)};
+  ReadModelParts(map, parts, robot);
+  if (const auto joints = map.Optional("joints")) ReadMjcfJoints(*joints, parts, robot);
   const ConfigNode feet = map.Required("feet");
   FindSagittalPlane(robot, &feet);
   if (const auto rpy = map.Optional("base_rpy_rad")) RequirePlanarStart(*rpy, *robot);

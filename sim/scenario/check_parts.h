@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/support/config_tree.h"
+#include "sim/scenario/renamed_keys.h"
 #include "sim/scenario/scenario.h"
 
 namespace sidestep {
@@ -13,6 +14,12 @@ namespace sidestep {
 /// Whether a robot that moves in a plane is asked for nothing sideways: its feet keep the distance
 /// that they have, and neither steps nor the CoM's reference nor pushes leave the plane.
 void CheckPlane(const Scenario& scenario, const ConfigTree& root);
+
+/// Whether the servos that move the robot are stable in the world's physics steps.
+void CheckServos(const Scenario& scenario, const ConfigTree& root);
+
+/// Tells `note` of servos that are allowed but worth a warning, at their place in the robot.yaml.
+void WarnOfServos(const Scenario& scenario, const NoteSink& note);
 
 /// Whether the ground's patches are rectangles, clear of each other and of the robot's soles where
 /// it starts.

@@ -215,6 +215,7 @@ void FailAtEither(const ConfigTree& root, const std::string& path, const std::st
 void CheckMotion(const Scenario& scenario, const ConfigTree& root) {
   CheckPlant(scenario, root);
   CheckMode(scenario, root);
+  CheckServos(scenario, root);
   CheckStepping(scenario, root);
   CheckSenses(scenario, root);
   CheckRates(scenario, root);

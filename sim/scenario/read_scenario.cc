@@ -12,6 +12,7 @@
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
 #include "sim/scenario/apply_override.h"
+#include "sim/scenario/check_parts.h"
 #include "sim/scenario/check_scenario.h"
 #include "sim/scenario/find_scenario.h"
 #include "sim/scenario/read_fields.h"
@@ -122,6 +123,7 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
   Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot, &pushes));
   map.RejectUnknownKeys();
   CheckMotion(scenario, root);
+  WarnOfServos(scenario, note);
   scenario.pushes = ResolvePushes(pushes, scenario, root);
   CheckSurroundings(scenario, root);
   return scenario;
@@ -141,7 +143,7 @@ Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string
     throw ConfigError(robot + ": error: is neither a robot that ships nor a robot.yaml; " +
                       DidYouMean(robot, ShippedRobots(), "robots that ship"));
   }
-  const RobotDescription description = ReadRobotDescription(file);
+  const RobotDescription description = ReadSoundRobot(file);
   const ConfigSource source{robot, false};
   ConfigTree root =
       ParseConfig(std::string("{sidestep: 1, name: robot, robot: '', duration_s: 1") +
@@ -149,7 +151,7 @@ Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string
                       ", gait: {type: " + (description.feet.size() == 1 ? "hop" : "walk") + "}}",
                   source);
   root.children[2].scalar = robot;  // as it is: no YAML
-  return ReadTree(std::move(root), "", overrides, note, ReadRobotDescription);
+  return ReadTree(std::move(root), "", overrides, note, ReadSoundRobot);
 }
 
 bool IsRobotFile(const std::filesystem::path& word) {

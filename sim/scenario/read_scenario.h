@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "models/robot_description/robot_description.h"
+#include "models/robot_description/robot_faults.h"
 #include "sim/scenario/renamed_keys.h"
 #include "sim/scenario/scenario.h"
 
 namespace sidestep {
 
-/// Reads a robot.yaml: ReadRobotDescription, or what remembers robots for it.
+/// Reads a robot.yaml: ReadSoundRobot, or what remembers robots for it.
 using RobotReader = std::function<RobotDescription(const std::filesystem::path& file)>;
 
 /// Reads a scenario of format version 1 and the robot that it names, and checks that they fit.
@@ -27,7 +27,7 @@ using RobotReader = std::function<RobotDescription(const std::filesystem::path& 
 /// @throws ConfigError with `file:line:column`, or with `--set a.b=c` for an override's mistakes.
 Scenario ReadScenario(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides = {}, const NoteSink& note = {},
-                      const RobotReader& read_robot = ReadRobotDescription);
+                      const RobotReader& read_robot = ReadSoundRobot);
 
 /// A scenario of a robot alone, which has no file: two feet walk in place, one hops, in the gait's
 /// defaults; on the centroidal plant, if the robot has no model.

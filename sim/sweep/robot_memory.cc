@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "models/mjcf/mjcf.h"
+#include "models/robot_description/robot_faults.h"
 
 namespace sidestep {
 namespace {
@@ -21,7 +22,7 @@ RobotDescription RobotMemory::Read(const std::filesystem::path& file) {
       found->second.model_text == ModelText(found->second.robot)) {
     return found->second.robot;
   }
-  Known known{std::move(text), "", ReadRobotDescription(file)};
+  Known known{std::move(text), "", ReadSoundRobot(file)};
   known.model_text = ModelText(known.robot);
   return known_.insert_or_assign(file, std::move(known)).first->second.robot;
 }

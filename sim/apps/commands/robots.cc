@@ -2,11 +2,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "models/robot_description/robot_description.h"
+#include "models/robot_description/robot_faults.h"
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
+#include "sim/apps/commands/print_robot.h"
 #include "sim/world/world_model.h"
 
 namespace sidestep {
@@ -19,7 +20,7 @@ struct RobotsArguments {
 
 RobotDescription Describe(const std::string& robot) {
   const std::filesystem::path file = FindRobot(robot, std::filesystem::current_path());
-  if (!file.empty()) return ReadRobotDescription(file);
+  if (!file.empty()) return ReadSoundRobot(file);
   std::string shipped;
   for (const std::string& name : ShippedRobots()) shipped += (shipped.empty() ? "" : ", ") + name;
   throw ConfigError("error: there is no robot '" + robot + "'; shipped: " + shipped);
@@ -40,6 +41,7 @@ void Print(const RobotDescription& robot) {
   std::printf("  model   %s\n",
               robot.model ? robot.model->file.c_str() : "none: for the centroidal plant only");
   std::printf("  feet    %s\n", Listed(feet).c_str());
+  PrintRobotFigures(robot);
   std::printf("  bodies  %s\n", Listed(names.bodies).c_str());
   std::printf("  frames  %s\n", Listed(names.frames).c_str());
   for (const std::string& notice : robot.notices) std::printf("%s\n", notice.c_str());

@@ -25,8 +25,8 @@ TEST(RobotDescriptionTest, ReadsARobotWithAnMjcf) {
   EXPECT_EQ(robot.mass_kg, 0.0);
   EXPECT_EQ(robot.base, "trunk");
   EXPECT_EQ(robot.imu, "imu");
-  EXPECT_EQ(robot.com_height_m, 0.45);
-  EXPECT_EQ(robot.base_height_m, 0.5);
+  EXPECT_EQ(robot.com_height_m, 0.339);
+  EXPECT_EQ(robot.base_height_m, 0.368);
   EXPECT_EQ(robot.home, (std::map<std::string, double>{{"hip", 0.1}, {"leg", 0.05}}));
   ASSERT_EQ(robot.feet.size(), 1U);
   EXPECT_EQ(robot.feet[0].name, "foot");
@@ -166,9 +166,9 @@ TEST_F(RobotErrorTest, Names) {
 }
 
 TEST_F(RobotErrorTest, Values) {
-  EXPECT_EQ(ErrorOfEdit("mini", "com_height_m: 0.45", "com_height_m: 0.0"),
+  EXPECT_EQ(ErrorOfEdit("mini", "com_height_m: 0.339", "com_height_m: 0.0"),
             "robot.yaml:6:15: error: com_height_m = 0 violates 0.01 <= com_height_m <= 10");
-  EXPECT_EQ(ErrorOfEdit("mini", "base_height_m: 0.5", "base_height_m: 500"),
+  EXPECT_EQ(ErrorOfEdit("mini", "base_height_m: 0.368", "base_height_m: 500"),
             "robot.yaml:7:16: error: base_height_m = 500 violates 0 <= base_height_m <= 10");
   EXPECT_EQ(ErrorOfEdit("mini", "hip: 0.1", "hip: 0.1rad"),
             "robot.yaml:8:13: error: home.hip = '0.1rad' is not a number");
@@ -194,7 +194,7 @@ TEST_F(RobotErrorTest, Keys) {
       ErrorOfEdit("mini", "base: trunk", "base: trunk\ncolour: red"),
       "robot.yaml:5:1: error: colour is not a known key; known keys: sidestep_robot, name, "
       "com_height_m, urdf, mjcf, mass_kg, base, imu, torso, base_height_m, base_rpy_rad, home, "
-      "arm_force_torque, feet, control, control_torque");
+      "arm_force_torque, feet, joints, control, control_torque");
   EXPECT_EQ(ErrorOfEdit("mini", "frame: foot", "frame: foot, size: 1"),
             "robot.yaml:10:31: error: feet.0.size is not a known key; known keys: name, frame, "
             "force_torque, vertices_m, preferred_cop_m, sole_height_m");

@@ -168,8 +168,8 @@ TEST_F(CheckScenarioTest, TorqueControlNeedsMotorsWithLimits) {
                                  "joint=\"leg\""));
   folder_.Write("robot.yaml",
                 "sidestep_robot: 1\nname: weak\nmjcf: mini.xml\nbase: trunk\nimu: imu\n"
-                "com_height_m: 0.45\nbase_height_m: 0.5\nfeet:\n  - {name: foot, frame: foot, "
-                "vertices_m: [[0, 0, 0]]}\n");
+                "com_height_m: 0.339\nbase_height_m: 0.368\nhome: {hip: 0.1, leg: 0.05}\nfeet:\n"
+                "  - {name: foot, frame: foot, sole_height_m: 0.02, vertices_m: [[0, 0, 0]]}\n");
   const std::string unlimited = Edit(valid_, "robot: mini", "robot: robot.yaml");
   EXPECT_EQ(
       ErrorIn(unlimited),
