@@ -40,6 +40,10 @@ h2 { margin-top: 34px; font-size: 1.25rem; }
 .sheet pre { user-select: all; white-space: pre-wrap; overflow-wrap: anywhere;
   margin: 4px 0 10px; padding: 8px 10px; border: 1px solid var(--line); border-radius: 6px;
   background: var(--page); }
+.evidence { display: grid; gap: 10px; margin: 8px 0 14px;
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, 300px), 1fr)); }
+.evidence img, .evidence video { display: block; width: 100%; border-radius: 6px; }
+.evidence img { background: #fff; aspect-ratio: 10 / 7; }
 td, tbody th { white-space: nowrap; }
 @media print { .sheet { position: static; } }
 )";
@@ -90,6 +94,18 @@ std::string FiguresTable(const SweepMap& map) {
     rows.push_back(row);
   }
   return report::Table(headings, rows);
+}
+
+// Where the worst cells' runs are to be seen.
+std::string EvidenceLinks(const SweepMap& map) {
+  std::string links;
+  for (const MapCell& cell : map.cells) {
+    if (!cell.evidence) continue;
+    const std::string what = map.controllers[cell.controller] + ": " + PlaceWords(map, cell);
+    links += "<li>" + CellLink(map, cell, what) + "</li>\n";
+  }
+  return links.empty() ? ""
+                       : "<h2>Worst cells, with plots and video</h2>\n<ul>" + links + "</ul>\n";
 }
 
 std::string Pictures(const SweepMap& map) {
@@ -180,6 +196,23 @@ const char* SurvivalWord(Survival survival) {
   return survival == Survival::kLost ? "lost" : "INVALID";
 }
 
+std::string EvidenceElement(const CellEvidence& evidence) {
+  const std::string folder = Escaped(evidence.folder) + "/";
+  std::string html = "<div>the smallest push that was lost, <a href=\"" + folder +
+                     "report.html\">the run's report</a>";
+  if (!evidence.note.empty()) html += "; " + Escaped(evidence.note);
+  html += ":</div>\n<div class=\"evidence\">";
+  if (evidence.has_video) {
+    html += "<video controls preload=\"none\" src=\"" + folder + "video.mp4\"></video>";
+  }
+  for (const std::string& plot : evidence.plots) {
+    const std::string file = folder + Escaped(plot);
+    html += "<a href=\"" + file + "\"><img loading=\"lazy\" src=\"" + file + "\" alt=\"" +
+            Escaped(plot) + "\"></a>";
+  }
+  return html + "</div>\n";
+}
+
 // What a chosen cell shows.
 std::string CellSheet(const SweepMap& map, std::size_t number,
                       const std::vector<std::string>& kept) {
@@ -195,6 +228,7 @@ std::string CellSheet(const SweepMap& map, std::size_t number,
   for (const auto& [what, command] : cell.commands) {
     html += "<div>" + Escaped(what) + ":</div><pre>" + Escaped(command) + "</pre>\n";
   }
+  if (cell.evidence) html += EvidenceElement(*cell.evidence);
   std::vector<std::vector<std::string>> rows;
   for (const MapPoint& point : cell.points) {
     std::string run;
@@ -222,7 +256,8 @@ std::string MapPage(const SweepMap& map, const std::vector<std::string>& kept) {
       Escaped(map.name) +
       "</h1>\n<p>Pushes survived, by impulse over mass (N s/kg). Choose a cell for the "
       "command that repeats it.</p></header>\n<div class=\"card\">" +
-      FiguresTable(map) + "</div>\n" + Pictures(map) + Notes(map) + CellsTable(map);
+      FiguresTable(map) + "</div>\n" + Pictures(map) + EvidenceLinks(map) + Notes(map) +
+      CellsTable(map);
   page += "</main>\n";
   for (std::size_t i = 0; i < std::min(kMostSheets, map.cells.size()); ++i) {
     page += CellSheet(map, i, kept);

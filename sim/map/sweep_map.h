@@ -35,6 +35,14 @@ struct MapPoint {
   Survival survival() const;
 };
 
+/// A run of a cell with its pictures, as the page shows it.
+struct CellEvidence {
+  std::string folder;              ///< Relative to the page.
+  std::vector<std::string> plots;  ///< Files in it.
+  bool has_video{false};           ///< video.mp4 is in it.
+  std::string note;                ///< Empty unless its verdict is not the row's.
+};
+
 /// One direction of one panel under one controller.
 struct MapCell {
   std::size_t controller{0};  ///< In SweepMap::controllers.
@@ -44,6 +52,7 @@ struct MapCell {
   std::vector<MapPoint> points;     ///< By rising impulse.
   double physical_Nspkg{kUnknown};  ///< What a pendulum survives; map_physics.h fills it.
   std::vector<std::pair<std::string, std::string>> commands;  ///< Of what, and that repeats it.
+  std::optional<CellEvidence> evidence;  ///< Of the smallest lost impulse; evidence.h fills it.
 };
 
 struct SweepMap {

@@ -36,12 +36,13 @@ double ScaleOf(const map::Drawing& drawing) {
 
 }  // namespace
 
-void WriteMap(const SweepPlan& plan, const fs::path& folder,
+void WriteMap(const SweepPlan& plan, const fs::path& folder, const map::EvidenceOrder& evidence,
               const std::function<void(const std::string&)>& note) {
   map::SweepMap map = map::ReadMap(folder);
   map.name = plan.spec.name;
   map::AddPhysics(plan, &map);
   map::AddCommands(plan, &map);
+  map::AddEvidence(plan, folder, evidence, note, &map);
   const map::Drawing sheet = map::SheetPicture(map);
   WriteWholeFile(folder / "map.html", map::MapPage(map, KeptRuns(folder)));
   WriteWholeFile(folder / "map.svg", map::SvgFile(sheet, map.name + ": pushes survived"));

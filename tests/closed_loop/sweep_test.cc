@@ -116,6 +116,36 @@ TEST_F(SweepTest, EveryRayOfASweepIsValidated) {
   EXPECT_NE(run.err.find("mid_dance"), std::string::npos) << run.err;
 }
 
+// The smallest push that fixed footholds lose, from the command that the page shows for it.
+TEST_F(SweepTest, WorstCellsAreRunAgainWithPlotsAndVideo) {
+  std::string text = kSweep;
+  text.replace(text.find("direction_rad: [0, 2]"), 21, "direction_rad: [0]");
+  text.replace(text.find("[0.25, mid_stance]"), 18, "[0.25]");
+  folder_.Write("map.yaml", text);
+  ASSERT_EQ(Sweep(one_, {"-j2"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(one_ / "cells"));
+  const ProcessResult merge = Sidestep({"sweep", "merge", one_, "--evidence", "1"});
+  EXPECT_EQ(merge.exit_code, 0);
+  EXPECT_EQ(merge.err, "") << "the run again is what its row says";
+  const std::string page = TextOf(one_ / "map.html");
+  int shown = 0;
+  for (const fs::directory_entry& cell : fs::directory_iterator(one_ / "cells")) {
+    const std::string name = "cells/" + cell.path().filename().string();
+    EXPECT_TRUE(fs::exists(cell.path() / "plots/com.svg"));
+    EXPECT_TRUE(fs::exists(cell.path() / "video.mp4"));
+    EXPECT_NE(page.find("src=\"" + name + "/video.mp4\""), std::string::npos);
+    EXPECT_NE(page.find("src=\"" + name + "/plots/com.svg\""), std::string::npos);
+    EXPECT_FALSE(fs::exists(cell.path() / "trajectory.csv"));
+    ++shown;
+  }
+  EXPECT_EQ(shown, 2) << "a controller each";
+
+  const auto made = fs::last_write_time(one_ / "cells");
+  ASSERT_EQ(Sidestep({"sweep", "merge", one_}).exit_code, 0);
+  EXPECT_EQ(TextOf(one_ / "map.html"), page) << "what is there is shown again";
+  EXPECT_EQ(fs::last_write_time(one_ / "cells"), made);
+}
+
 TEST_F(SweepTest, InSevenShardsAndInOneGoItIsTheSameTable) {
   const ProcessResult one = Sweep(one_, {"-j2"});
   EXPECT_EQ(one.exit_code, 0) << one.err << "falls are results";

@@ -45,7 +45,7 @@ ShardReport RunShardOf(const SweepPlan& plan, const fs::path& folder,
 }
 
 // Writes the tables and tells what they amount to; exits with 3 if rows are missing or INVALID.
-int Merge(const fs::path& folder, int shards) {
+int Merge(const fs::path& folder, int shards, int evidence) {
   const SweepPlan plan = ReadPlan(folder);
   const MergedRows merged = ReadAllRows(plan, folder, PrintNote);
   const std::vector<RayResult> results = ResultsOf(plan, merged.rows);
@@ -63,7 +63,7 @@ int Merge(const fs::path& folder, int shards) {
   WriteWholeFile(folder / "strengths.csv", StrengthsCsv(plan, results));
   WriteWholeFile(folder / "rays.csv", RaysCsv(plan, results));
   std::printf("%s", SweepSummary(plan, results).c_str());
-  WriteMap(plan, folder, PrintNote);
+  WriteMap(plan, folder, {evidence, ThisProgram()}, PrintNote);
   std::printf("  tables  %s\n  map     %s\n", (folder / "rays.csv").c_str(),
               (folder / "map.html").c_str());
   const bool has_invalid = std::any_of(merged.rows.begin(), merged.rows.end(), [](const auto& row) {
@@ -86,7 +86,7 @@ int Sweep(SweepArguments arguments) {
   const fs::path folder = FolderOf(arguments, spec);
   const SweepPlan plan = PlanIn(folder, spec, arguments.is_quiet);
   const ShardReport report = RunShardOf(plan, folder, arguments);
-  if (report.rays_done == report.rays) return Merge(folder, 1);
+  if (report.rays_done == report.rays) return Merge(folder, 1, arguments.evidence);
   TellIncomplete(report);
   return report.was_interrupted || report.invalid > 0 ? kExitInvalid : kExitPass;
 }
@@ -144,10 +144,13 @@ void AddMergeCommand(CLI::App& sweep, int& exit_code) {
   CLI::App* command = sweep.add_subcommand("merge", "Join the shards' rows and write the tables");
   const auto folder = std::make_shared<fs::path>();
   const auto shards = std::make_shared<int>(0);
+  const auto evidence = std::make_shared<int>(0);
   command->add_option("DIR", *folder, "Folder of a planned sweep")->required();
   command->add_option("--shards", *shards, "N of the shards, to tell which are missing")
       ->check(CLI::Range(1, 1000000));
-  command->callback([folder, shards, &exit_code] { exit_code = Merge(*folder, *shards); });
+  AddEvidenceOption(*command, *evidence);
+  command->callback(
+      [folder, shards, evidence, &exit_code] { exit_code = Merge(*folder, *shards, *evidence); });
 }
 
 }  // namespace
@@ -160,6 +163,7 @@ void AddSweepCommand(CLI::App& app, int& exit_code) {
   AddSweepTarget(*command, *arguments);
   AddSweepSpecOptions(*command, *arguments);
   AddSweepRunOptions(*command, *arguments);
+  AddEvidenceOption(*command, arguments->evidence);
   AddPlanCommand(*command, exit_code);
   AddRunPlannedCommand(*command, exit_code);
   AddMergeCommand(*command, exit_code);

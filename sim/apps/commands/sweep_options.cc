@@ -46,6 +46,15 @@ void AddSweepRunOptions(CLI::App& command, SweepArguments& arguments) {
       ->type_name("S");
 }
 
+void AddEvidenceOption(CLI::App& command, int& evidence) {
+  constexpr int kMost = 1000;
+  command
+      .add_option("--evidence", evidence,
+                  "Run so many of each controller's worst cells again, with plots and video")
+      ->check(CLI::Range(0, kMost))
+      ->type_name("N");
+}
+
 std::shared_ptr<SweepArguments> NewSweepArguments(CLI::App& command) {
   auto arguments = std::make_shared<SweepArguments>();
   arguments->shard.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

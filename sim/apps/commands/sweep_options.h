@@ -19,6 +19,7 @@ struct SweepArguments {
   ShardOptions shard;
   std::string shard_text;  ///< I/N, or auto; empty: all.
   std::string keep{"none"};
+  int evidence{0};
   bool is_agreed{false};
   bool is_quiet{false};
 };
@@ -31,6 +32,9 @@ void AddSweepTarget(CLI::App& command, SweepArguments& arguments);
 
 /// --vary and all else that says what is swept.
 void AddSweepSpecOptions(CLI::App& command, SweepArguments& arguments);
+
+/// --evidence: how many of a map's worst cells are shown (map/evidence.h).
+void AddEvidenceOption(CLI::App& command, int& evidence);
 
 /// --jobs, --keep and --time-budget.
 void AddSweepRunOptions(CLI::App& command, SweepArguments& arguments);

@@ -17,7 +17,9 @@ namespace sidestep::dcm::dcm_plan_test {
 namespace {
 
 constexpr double kMass_kg = 3.0;
-constexpr Tick kHorizon = 2000;
+constexpr double kStep_s = 0.005;  // of the pendulum, and a control tick
+constexpr Tick kHorizon = 400;
+constexpr Tick Ticks(double time_s) { return static_cast<Tick>(time_s / kStep_s + 0.5); }
 
 Eigen::Matrix3Xd Sole() {
   Eigen::Matrix3Xd vertices_m(3, 4);
@@ -25,28 +27,41 @@ Eigen::Matrix3Xd Sole() {
   return vertices_m;
 }
 
-DcmSetup SetupFor(Stepping stepping) {
+// Bounds of a left step's adjustment (m); of nothing, where footholds are fixed.
+struct Box {
+  Eigen::Vector3d lower_m{-0.1, -0.05, 0.0};
+  Eigen::Vector3d upper_m{0.2, 0.15, 0.0};
+};
+const Box kFixed{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+
+DcmSetup SetupFor(Stepping stepping, const Box& box = {}) {
   DcmSetup setup;
   setup.control.stepping = stepping;
-  setup.control.mpc.box_lower_m = Geometry(2).box_lower_m;
-  setup.control.mpc.box_upper_m = Geometry(2).box_upper_m;
+  setup.control.mpc.box_lower_m = box.lower_m;
+  setup.control.mpc.box_upper_m = box.upper_m;
   setup.com_height_m = kComHeight_m;
   setup.mass_kg = kMass_kg;
   setup.vertices_m = {Sole(), Sole()};
+  setup.tick_s = kStep_s;
   return setup;
 }
 
-GaitPlanner Walking() {
+GaitPlanner Walking(const Box& box) {
   GaitParams walk = Stretch(GaitType::kWalk, 0.5);
   walk.swing_s = 0.4;
   walk.double_support_s = 0.1;
-  return {SetupOf({Stretch(GaitType::kStand, 0.0), walk}, 2), PlannerParams(), kHorizon};
+  GaitSetup setup = SetupOf({Stretch(GaitType::kStand, 0.0), walk}, 2);
+  setup.tick_s = kStep_s;
+  setup.geometry.box_lower_m = box.lower_m;
+  setup.geometry.box_upper_m = box.upper_m;
+  return {setup, PlannerParams(), kHorizon};
 }
 
 // A linear pendulum whose feet are where the plan has them. Copies are independent.
 class Walker {
  public:
-  explicit Walker(Stepping stepping) : plan_(SetupFor(stepping)), planner_(Walking()) {
+  explicit Walker(Stepping stepping, const Box& box = {})
+      : plan_(SetupFor(stepping, box)), planner_(Walking(box)) {
     state_.feet.resize(2);
     state_.p_WC = {0.0, 0.0, kComHeight_m};
   }
@@ -58,12 +73,12 @@ class Walker {
       if (contact.start_tick <= tick_) state_.feet[foot].p_WF = contact.adjusted_p_WF;
     }
     plan_.Update(state_, Eigen::Vector3d(0.0, 0.0, 0.25), tick_, &planner_);
-    state_.v_WC += kTick_s * plan_.com().a_WC;
-    state_.p_WC += kTick_s * state_.v_WC;
+    state_.v_WC += kStep_s * plan_.com().a_WC;
+    state_.p_WC += kStep_s * state_.v_WC;
     ++tick_;
   }
-  void GoOnTo(Tick tick) {
-    while (tick_ < tick) Tick1();
+  void GoOnTo(double time_s) {
+    while (tick_ < Ticks(time_s)) Tick1();
   }
   void Kick(const Eigen::Vector3d& by_mps) { state_.v_WC += by_mps; }
 
@@ -106,20 +121,25 @@ INSTANTIATE_TEST_SUITE_P(All, DcmPlanTest,
 
 TEST_P(DcmPlanTest, ItsPendulumWalksAtTheGaitsSpeed) {
   Walker walker(GetParam());
-  walker.GoOnTo(3000);
+  walker.GoOnTo(3);
   const double begin_m = walker.state().p_WC.x();
-  walker.GoOnTo(8000);  // ten steps of 0.1 m in half a second each
+  walker.GoOnTo(8);  // ten steps of 0.1 m in half a second each
   EXPECT_NEAR(walker.state().p_WC.x() - begin_m, 1.0, 0.1);
   EXPECT_LT(walker.Off().norm(), 0.1);
   EXPECT_NEAR(walker.state().p_WC.z(), kComHeight_m, 1e-9);
 }
 
+// More than the sole takes back, and the QP by time alone: 0.05 m and 0.06 m of DCM.
+Eigen::Vector3d KickFor(Stepping stepping) {
+  return {0.0, stepping == Stepping::kDcmQp ? 0.27 : 0.22, 0.0};
+}
+
 TEST_P(DcmPlanTest, APushIsCaughtByASideStepInTheBox) {
   Walker walker(GetParam());
-  walker.GoOnTo(4250);
-  walker.Kick({0.0, 0.35, 0.0});
+  walker.GoOnTo(4.25);
+  walker.Kick(KickFor(GetParam()));
   double most_m = 0.0;
-  for (int tick = 0; tick < 1500; ++tick) {
+  for (int tick = 0; tick < Ticks(1.5); ++tick) {
     walker.Tick1();
     for (std::size_t foot = 0; foot < 2; ++foot) {
       for (const PlannedContact& contact : walker.planner().plan().feet[foot]) {
@@ -130,24 +150,36 @@ TEST_P(DcmPlanTest, APushIsCaughtByASideStepInTheBox) {
       }
     }
   }
-  EXPECT_GT(most_m, 0.05);
-  walker.GoOnTo(9000);
+  EXPECT_GT(most_m, 0.02);
+  walker.GoOnTo(9);
   EXPECT_LT(walker.Off().norm(), 0.1);
 }
 
+TEST_P(DcmPlanTest, ThePushIsNotCaughtWithFixedFootholds) {
+  Walker walker(GetParam(), kFixed);
+  walker.GoOnTo(4.25);
+  walker.Kick(KickFor(GetParam()));
+  walker.GoOnTo(9);
+  EXPECT_GT(walker.Off().norm(), 1.0);
+}
+
+// Where no vertex is without force, for that costs the pressure its place (support_area.h).
 TEST_P(DcmPlanTest, ForcesAreThePendulumsAndActWhereItsPressureIs) {
   Walker walker(GetParam());
-  walker.GoOnTo(4250);
+  walker.GoOnTo(4.25);
   walker.Kick({0.1, 0.1, 0.0});
   const double omega2 = kGravity_mps2 / kComHeight_m;
-  for (int tick = 0; tick < 1000; ++tick) {
+  int compared = 0;
+  for (int tick = 0; tick < Ticks(1.0); ++tick) {
     const Eigen::Vector2d p_m = walker.state().p_WC.head<2>();
     walker.Tick1();
     Eigen::Vector3d force_N = Eigen::Vector3d::Zero(), at = Eigen::Vector3d::Zero();
+    bool all_bear = true;
     for (std::size_t foot = 0; foot < 2; ++foot) {
       const Eigen::Matrix3Xd& on_N = walker.plan().ForceOn(foot);
       EXPECT_GE(on_N.row(2).minCoeff(), -1e-9);
       force_N += on_N.rowwise().sum();
+      all_bear = all_bear && (on_N.isZero() || on_N.row(2).minCoeff() > 0.0);
       for (Eigen::Index i = 0; i < on_N.cols(); ++i) {
         at += on_N(2, i) * (walker.state().feet[foot].p_WF + Sole().col(i));
       }
@@ -156,21 +188,24 @@ TEST_P(DcmPlanTest, ForcesAreThePendulumsAndActWhereItsPressureIs) {
         kMass_kg * (walker.plan().com().a_WC + Eigen::Vector3d(0.0, 0.0, kGravity_mps2));
     EXPECT_LT((force_N - wanted_N).norm(), 1e-9);
     const Eigen::Vector2d pressure_m = p_m - walker.plan().com().a_WC.head<2>() / omega2;
-    EXPECT_LT((at.head<2>() / force_N.z() - pressure_m).norm(), 1e-4) << "at tick " << tick;
+    if (all_bear && ++compared > 0) {
+      EXPECT_LT((at.head<2>() / force_N.z() - pressure_m).norm(), 1e-9) << "at tick " << tick;
+    }
     EXPECT_EQ(walker.plan().com().angular_momentum.z(), 0.25) << "it is passed on";
   }
+  EXPECT_GT(compared, 50);
 }
 
 TEST_P(DcmPlanTest, ACopyGoesOnAlikeAndAlone) {
   Walker straight(GetParam());
-  straight.GoOnTo(4100);  // a foot is in the air
+  straight.GoOnTo(4.1);  // a foot is in the air
   Walker copy(straight);
   copy.Kick({0.2, -0.2, 0.0});
   Walker kicked_later(straight);
-  copy.GoOnTo(6000);
-  straight.GoOnTo(6000);
+  copy.GoOnTo(6);
+  straight.GoOnTo(6);
   kicked_later.Kick({0.2, -0.2, 0.0});
-  kicked_later.GoOnTo(6000);
+  kicked_later.GoOnTo(6);
   EXPECT_TRUE(copy.Bits() == kicked_later.Bits()) << "a copy's run touched what it came from";
   EXPECT_FALSE(copy.Bits() == straight.Bits()) << "the kick did nothing";
 }
@@ -178,14 +213,14 @@ TEST_P(DcmPlanTest, ACopyGoesOnAlikeAndAlone) {
 TEST(DcmPlanTimingTest, ThePushedQpLandsEarlyAndTheCapturePointByTheClock) {
   const auto landing_after = [](Stepping stepping) {
     Walker walker(stepping);
-    walker.GoOnTo(4150);
+    walker.GoOnTo(4.15);
     const Tick due = StepAheadOf(walker.planner().setup(), walker.planner().support())->landing;
     walker.Kick({0.0, 0.3, 0.0});
     walker.Tick1();
     const auto step = StepAheadOf(walker.planner().setup(), walker.planner().support());
     return step->landing - due;
   };
-  EXPECT_LT(landing_after(Stepping::kDcmQp), -20);
+  EXPECT_LT(landing_after(Stepping::kDcmQp), -4);
   EXPECT_EQ(landing_after(Stepping::kCapturePoint), 0);
 }
 
