@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "models/import/posture.h"
+#include "models/import/branches.h"
 #include "models/import/side_names.h"
 #include "models/import/text.h"
 #include "models/support/config_error.h"
@@ -15,17 +15,14 @@
 namespace sidestep::importer {
 namespace {
 
-constexpr double kMirrorMass = 0.2;       // mirrored limbs differ in mass by less than this share
-constexpr double kMirrorHeight = 0.05;    // and in height by less than this share of the robot's
 constexpr double kLeastLateral_m = 0.01;  // limbs nearer than that to the middle have no side
 constexpr std::size_t kMinLegJoints = 2;  // with fewer it is not a leg that we could name
 constexpr double kLeastClearance = 0.1;   // of the robot's height: all but legs is above the feet
-constexpr double kMainShare = 0.5;        // of a branch's mass, where a limb forks
 
-class PlanFinder {
+class PlanFinder : private Branches {
  public:
   PlanFinder(const SourceRobot& robot, std::string file, Notes* notes)
-      : robot_(robot), file_(std::move(file)), notes_(notes), zero_(robot, ZeroPosture(robot)) {}
+      : Branches(robot), robot_(robot), file_(std::move(file)), notes_(notes) {}
 
   BodyPlan Find() {
     FindLegs();
@@ -45,71 +42,9 @@ class PlanFinder {
   [[noreturn]] void Fail(const std::string& what) const {
     throw ConfigError(file_ + ": error: " + what);
   }
-  const SourceJoint& Joint(int joint) const {
-    return robot_.joints[static_cast<std::size_t>(joint)];
-  }
-  Eigen::Vector3d Place(int link) const { return zero_.X_WL(link).translation(); }
-
-  /// Joints that move from `ancestor` down to `link`.
-  std::vector<int> Chain(int ancestor, int link) const {
-    std::vector<int> chain;
-    for (const int joint : JointsBetween(robot_, ancestor, link)) {
-      if (Joint(joint).is_moving()) chain.push_back(joint);
-    }
-    std::reverse(chain.begin(), chain.end());
-    return chain;
-  }
-
-  /// The lowest link above (or equal to) both.
-  int CommonAncestor(int a, int b) const {
-    std::set<int> above_a{a};
-    for (const int joint : JointsBetween(robot_, robot_.root, a))
-      above_a.insert(Joint(joint).parent);
-    while (above_a.count(b) == 0) b = Joint(robot_.joint_above[static_cast<std::size_t>(b)]).parent;
-    return b;
-  }
-
-  /// Lowest point known of a link and what is fixed to it, at zero.
-  double Lowest(int link) const {
-    double lowest = std::min(Place(link).z(), zero_.CenterOfMass_W(link).z());
-    for (const int joint : robot_.joints_below[static_cast<std::size_t>(link)]) {
-      if (!Joint(joint).is_moving()) lowest = std::min(lowest, Lowest(Joint(joint).child));
-    }
-    return lowest;
-  }
-
-  /// Links moved by a joint, below which nothing moves.
-  std::vector<int> Ends() const {
-    std::vector<int> ends;
-    for (const SourceJoint& joint : robot_.joints) {
-      if (!joint.is_moving()) continue;
-      const std::vector<int> below = Subtree(robot_, joint.child);
-      const bool is_end = std::none_of(below.begin() + 1, below.end(), [&](int link) {
-        return Joint(robot_.joint_above[static_cast<std::size_t>(link)]).is_moving();
-      });
-      if (is_end) ends.push_back(joint.child);
-    }
-    return ends;
-  }
-
-  double Height() const {
-    double low = 0.0, high = 0.0;
-    for (const int link : robot_.order) {
-      low = std::min(low, Place(link).z());
-      high = std::max(high, Place(link).z());
-    }
-    return std::max(high - low, 1e-6);
-  }
-
-  bool MirrorEachOther(int link_a, int link_b) const {
-    const double mass_a = SubtreeMass_kg(robot_, link_a), mass_b = SubtreeMass_kg(robot_, link_b);
-    return std::abs(mass_a - mass_b) <= kMirrorMass * std::max(mass_a, mass_b) &&
-           std::abs(Place(link_a).z() - Place(link_b).z()) <= kMirrorHeight * Height();
-  }
 
   void FindLegs() {
-    std::vector<int> ends = Ends();
-    std::sort(ends.begin(), ends.end(), [&](int a, int b) { return Lowest(a) < Lowest(b); });
+    const std::vector<int> ends = Ends();
     for (std::size_t i = 0; i < ends.size(); ++i) {
       for (std::size_t k = i + 1; k < ends.size(); ++k) {
         const int pelvis = CommonAncestor(ends[i], ends[k]);
@@ -205,7 +140,7 @@ class PlanFinder {
     double ahead_m = 0.0;
     for (const Limb& leg : plan_.legs) {
       ahead_m +=
-          zero_.CenterOfMass_W(leg.end).x() - zero_.X_WJ(leg.joints.back()).translation().x();
+          zero().CenterOfMass_W(leg.end).x() - zero().X_WJ(leg.joints.back()).translation().x();
     }
     return ahead_m > 0.0;
   }
@@ -222,15 +157,6 @@ class PlanFinder {
   bool CarriesLegs(int link) const {
     const std::vector<int> below = Subtree(robot_, link);
     return std::find(below.begin(), below.end(), plan_.legs[0].end) != below.end();
-  }
-
-  /// The link that carries `link` without a joint that moves between.
-  int Segment(int link) const {
-    for (;;) {
-      const int above = robot_.joint_above[static_cast<std::size_t>(link)];
-      if (above < 0 || Joint(above).is_moving()) return link;
-      link = Joint(above).parent;
-    }
   }
 
   double Lateral(int link) const {
@@ -271,32 +197,6 @@ class PlanFinder {
     return arm;
   }
 
-  /// The joint that carries most of what moves on `link`.
-  std::optional<int> Next(int link) const {
-    std::optional<int> next;
-    double most_kg = 0.0, all_kg = 0.0;
-    for (const int below : Subtree(robot_, link)) {
-      const int joint = robot_.joint_above[static_cast<std::size_t>(below)];
-      if (below == link || !Joint(joint).is_moving() || Segment(Joint(joint).parent) != link)
-        continue;
-      const double mass_kg = SubtreeMass_kg(robot_, below);
-      all_kg += mass_kg;
-      if (mass_kg <= most_kg) continue;
-      most_kg = mass_kg;
-      next = joint;
-    }
-    return most_kg > kMainShare * all_kg ? next : std::nullopt;
-  }
-
-  double SegmentMass_kg(int segment) const {
-    double mass_kg = 0.0;
-    for (const int link : robot_.order) {
-      if (Segment(link) == segment)
-        mass_kg += robot_.links[static_cast<std::size_t>(link)].mass.mass_kg;
-    }
-    return mass_kg;
-  }
-
   void FindTorso() {
     if (plan_.has_arms()) {
       plan_.torso = Segment(Joint(plan_.arms[0].joints.front()).parent);
@@ -319,7 +219,6 @@ class PlanFinder {
   const SourceRobot& robot_;
   std::string file_;
   Notes* notes_;
-  Placement zero_;
   BodyPlan plan_;
 };
 
