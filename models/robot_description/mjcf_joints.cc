@@ -4,25 +4,18 @@
 #include <algorithm>
 #include <map>
 
+#include "models/robot_description/read_servo.h"
+
 namespace sidestep {
 namespace {
 
-constexpr double kMaxGain = 1e6;   // Nm/rad and Nms/rad
-constexpr double kMaxLimit = 1e5;  // rad/s
-constexpr double kMaxWeight = 1e6;
-
 /// What all joints of a group have.
-JointDescription ReadServo(ConfigMap& map) {
+JointDescription ReadGroup(ConfigMap& map) {
   JointDescription servo;
   const ConfigNode speed = map.Required("velocity_limit_radps");
-  servo.velocity_limit_radps = speed.Number(0.0, kMaxLimit);
+  servo.velocity_limit_radps = speed.Number(0.0, kMaxMotorLimit);
   if (servo.velocity_limit_radps <= 0.0) speed.Fail("must be greater than 0");
-  servo.servo_stiffness_Nm_per_rad =
-      map.Required("servo_stiffness_Nm_per_rad").Number(0.0, kMaxGain);
-  servo.servo_damping_Nms_per_rad = map.Required("servo_damping_Nms_per_rad").Number(0.0, kMaxGain);
-  if (const auto weight = map.Optional("posture_weight")) {
-    servo.posture_weight = weight->Number(0.0, kMaxWeight);
-  }
+  ReadServo(map, &servo);
   for (const char* key : {"torque_limit_Nm", "armature_kgm2", "damping_Nms_per_rad"}) {
     if (map.Optional(key)) map.FailAtKey(key, "is told by the MJCF; leave it out");
   }
@@ -40,7 +33,7 @@ void ReadMjcfJoints(const ConfigNode& groups, const KnownParts& parts, RobotDesc
     const std::vector<std::string> joints =
         ReadParts(names, motors, "joint with a motor", parts.language);
     if (joints.empty()) names.Fail("must hold at least one joint");
-    JointDescription servo = ReadServo(map);
+    JointDescription servo = ReadGroup(map);
     map.RejectUnknownKeys();
     for (std::size_t i = 0; i < joints.size(); ++i) {
       servo.name = joints[i];

@@ -3,21 +3,19 @@
 
 #include <algorithm>
 
+#include "models/robot_description/read_servo.h"
 #include "models/robot_description/robot_parts.h"
 
 namespace sidestep {
 namespace {
 
-constexpr double kMaxGain = 1e6;   // Nm/rad and Nms/rad
-constexpr double kMaxLimit = 1e5;  // Nm and rad/s
 constexpr double kMaxArmature_kgm2 = 1e2;
-constexpr double kMaxWeight = 1e6;
 constexpr const char* kRest = "rest";
 
 /// The value of `key`, or what the URDF says of the joint, which must not be nothing then.
 double ReadLimit(ConfigMap& map, const std::string& key, double of_urdf, const std::string& joint) {
   const auto node = map.Optional(key);
-  const double limit = node ? node->Number(0.0, kMaxLimit) : of_urdf;
+  const double limit = node ? node->Number(0.0, kMaxMotorLimit) : of_urdf;
   const bool is_good = limit > 0.0;
   if (!is_good && node) node->Fail("must be greater than 0");
   if (!is_good) map.Fail("needs " + key + ", because the URDF has none for '" + joint + "'");
@@ -59,20 +57,14 @@ class JointGroupReader {
       actuator.armature_kgm2 = armature->Number(0.0, kMaxArmature_kgm2);
     }
     if (const auto damping = map.Optional("damping_Nms_per_rad")) {
-      actuator.damping_Nms_per_rad = damping->Number(0.0, kMaxGain);
+      actuator.damping_Nms_per_rad = damping->Number(0.0, kMaxServoGain);
     }
     conversion_->actuators.push_back(actuator);
 
     JointDescription joint;
     joint.name = name;
     joint.velocity_limit_radps = ReadLimit(map, "velocity_limit_radps", info.velocity_radps, name);
-    joint.servo_stiffness_Nm_per_rad =
-        map.Required("servo_stiffness_Nm_per_rad").Number(0.0, kMaxGain);
-    joint.servo_damping_Nms_per_rad =
-        map.Required("servo_damping_Nms_per_rad").Number(0.0, kMaxGain);
-    if (const auto weight = map.Optional("posture_weight")) {
-      joint.posture_weight = weight->Number(0.0, kMaxWeight);
-    }
+    ReadServo(map, &joint);
     robot_->joints.push_back(joint);
   }
 

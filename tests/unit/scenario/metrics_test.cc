@@ -41,13 +41,13 @@ TEST(MetricsTest, WhatTheControllerBelievedPlannedAndSolvedIsAGroupOfItsOwn) {
   for (const MetricInfo& metric : KnownMetrics()) {
     if (metric.group == MetricGroup::kController) asked.insert(metric.name);
   }
-  EXPECT_EQ(asked,
-            (std::set<std::string_view>{
-                "planned_mean_step_adjustment_m", "planned_max_step_adjustment_m", "mpc_failures",
-                "wbc_failures", "step_failures", "max_solver_failure_ratio", "solver_fallbacks", "max_cone_violation_N", "max_box_violation_m",
-                "rms_com_velocity_error_mps", "max_com_velocity_error_mps",
-                "rms_pushed_com_velocity_error_mps", "max_pushed_com_velocity_error_mps",
-                "rms_push_estimate_error_N", "max_push_estimate_error_N"}));
+  EXPECT_EQ(asked, (std::set<std::string_view>{
+                       "planned_mean_step_adjustment_m", "planned_max_step_adjustment_m",
+                       "mpc_failures", "wbc_failures", "step_failures", "max_solver_failure_ratio",
+                       "solver_fallbacks", "max_cone_violation_N", "max_box_violation_m",
+                       "rms_com_velocity_error_mps", "max_com_velocity_error_mps",
+                       "rms_pushed_com_velocity_error_mps", "max_pushed_com_velocity_error_mps",
+                       "rms_push_estimate_error_N", "max_push_estimate_error_N"}));
 }
 
 }  // namespace
