@@ -38,12 +38,15 @@ std::string InlineSvg(const std::string& svg, const std::string& prefix, const s
   Remove("xmlns:xlink=\"", "\"", &element);
   Remove("<title>", "</title>", &element);
   Remove("<desc>", "</desc>", &element);
-  const std::array<std::pair<std::string, std::string>, 9> replacements{
+  // A group's own `color` would be what currentColor means in it.
+  const std::array<std::pair<std::string, std::string>, 11> replacements{
       {{" id='", " id='" + prefix},
        {" id=\"", " id=\"" + prefix},
        {"href='#", "href='#" + prefix},
        {"href=\"#", "href=\"#" + prefix},
        {"url(#", "url(#" + prefix},
+       {" color=\"black\"", ""},
+       {" color=\"white\"", ""},
        {"stroke='black'", "stroke='currentColor'"},
        {"stroke=\"black\"", "stroke=\"currentColor\""},
        {"fill='black'", "fill='currentColor'"},
