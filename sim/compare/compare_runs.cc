@@ -34,45 +34,19 @@ Settings SettingsOf(const std::string& yaml) {
   return settings;
 }
 
-std::vector<std::string_view> CellsOfLine(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    cells.push_back(line.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return cells;
-}
-
-/// Takes a text apart line by line.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {}
-  std::optional<std::string_view> Next() {
-    if (rest_.empty()) return std::nullopt;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    return line;
-  }
-
- private:
-  std::string_view rest_;
-};
-
 struct SharedColumn {
   std::string name;
   std::size_t first;
   std::size_t second;
 };
 
-std::vector<SharedColumn> SharedColumns(std::string_view first, std::string_view second) {
-  const std::vector<std::string_view> a = CellsOfLine(first), b = CellsOfLine(second);
+std::vector<SharedColumn> SharedColumns(const CsvTable& first, const CsvTable& second) {
+  const std::vector<std::string>&a = first.header(), &b = second.header();
   std::vector<SharedColumn> shared;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const auto there = std::find(b.begin(), b.end(), a[i]);
     if (there == b.end() || a[i].starts_with("wall_")) continue;
-    shared.push_back({std::string(a[i]), i, static_cast<std::size_t>(there - b.begin())});
+    shared.push_back({a[i], i, static_cast<std::size_t>(there - b.begin())});
   }
   return shared;
 }
@@ -118,24 +92,18 @@ std::vector<SettingDifference> CompareSettings(const std::string& first,
   return differences;
 }
 
-std::optional<Divergence> CompareTrajectories(std::string_view first, std::string_view second) {
-  Lines a(first), b(second);
-  const auto header_a = a.Next(), header_b = b.Next();
-  if (!header_a || !header_b) return std::nullopt;
-  const std::vector<SharedColumn> columns = SharedColumns(*header_a, *header_b);
-  for (std::size_t row = 0;; ++row) {
-    const auto line_a = a.Next(), line_b = b.Next();
-    if (!line_a && !line_b) return std::nullopt;
-    const auto cells_a = CellsOfLine(line_a.value_or("")),
-               cells_b = CellsOfLine(line_b.value_or(""));
-    const std::string time_s((line_a ? cells_a : cells_b).front());
-    if (!line_a || !line_b) return Divergence{row, time_s, ""};
+std::optional<Divergence> CompareTrajectories(const CsvTable& first, const CsvTable& second) {
+  const std::vector<SharedColumn> columns = SharedColumns(first, second);
+  const std::size_t rows = std::min(first.num_rows(), second.num_rows());
+  for (std::size_t row = 0; row < rows; ++row) {
     for (const SharedColumn& column : columns) {
-      const bool is_there = column.first < cells_a.size() && column.second < cells_b.size();
-      if (is_there && cells_a[column.first] == cells_b[column.second]) continue;
-      return Divergence{row, time_s, column.name};
+      if (first.Cell(row, column.first) == second.Cell(row, column.second)) continue;
+      return Divergence{row, std::string(first.Cell(row, 0)), column.name};
     }
   }
+  if (first.num_rows() == second.num_rows()) return std::nullopt;
+  const CsvTable& longer = first.num_rows() > rows ? first : second;
+  return Divergence{rows, std::string(longer.Cell(rows, 0)), ""};
 }
 
 RunComparison CompareRuns(const std::filesystem::path& first, const std::filesystem::path& second) {
@@ -154,8 +122,8 @@ RunComparison CompareRuns(const std::filesystem::path& first, const std::filesys
   comparison.has_trajectories =
       std::filesystem::exists(first / kTrajectory) && std::filesystem::exists(second / kTrajectory);
   if (comparison.has_trajectories) {
-    comparison.divergence = CompareTrajectories(ReadWholeFile(first / kTrajectory),
-                                                ReadWholeFile(second / kTrajectory));
+    comparison.divergence = CompareTrajectories(CsvTable::Read(first / kTrajectory),
+                                                CsvTable::Read(second / kTrajectory));
   }
   return comparison;
 }
@@ -180,11 +148,15 @@ std::string RunComparisonText(const RunComparison& comparison) {
   }
   text += "metrics: " + std::to_string(comparison.metrics.size() - same) + " differ, " +
           std::to_string(same) + " are the same\n" + lines;
-  if (!comparison.has_trajectories) return text + "trajectories: not both are there\n";
-  if (!comparison.divergence) return text + "trajectories: the same\n";
+  return text + DivergenceText(comparison) + "\n";
+}
+
+std::string DivergenceText(const RunComparison& comparison) {
+  if (!comparison.has_trajectories) return "trajectories: not both are there";
+  if (!comparison.divergence) return "trajectories: the same";
   const Divergence& at = *comparison.divergence;
-  return text + "trajectories: part at row " + std::to_string(at.row) + ", " + at.time_s + " s, " +
-         (at.column.empty() ? "where one ends" : "in " + at.column) + "\n";
+  return "trajectories: part at row " + std::to_string(at.row) + ", " + at.time_s + " s, " +
+         (at.column.empty() ? "where one ends" : "in " + at.column);
 }
 
 }  // namespace sidestep

@@ -5,8 +5,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "sim/record/run_reader.h"
 
 namespace sidestep {
 
@@ -45,10 +46,13 @@ std::vector<SettingDifference> CompareSettings(const std::string& first, const s
 
 /// The first difference of two trajectory.csv, in the columns that both have but for those of a
 /// clock on the wall (`wall_`).
-std::optional<Divergence> CompareTrajectories(std::string_view first, std::string_view second);
+std::optional<Divergence> CompareTrajectories(const CsvTable& first, const CsvTable& second);
 
 /// Reads two runs' folders. @throws ConfigError if a summary or scenario can't be read.
 RunComparison CompareRuns(const std::filesystem::path& first, const std::filesystem::path& second);
+
+/// Where the trajectories part, in words.
+std::string DivergenceText(const RunComparison& comparison);
 
 /// For a terminal: verdicts, settings, metrics that differ with their changes, where they part.
 std::string RunComparisonText(const RunComparison& comparison);

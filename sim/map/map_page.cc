@@ -203,7 +203,7 @@ std::string EvidenceElement(const CellEvidence& evidence) {
   if (!evidence.note.empty()) html += "; " + Escaped(evidence.note);
   html += ":</div>\n<div class=\"evidence\">";
   if (evidence.has_video) {
-    html += "<video controls preload=\"none\" src=\"" + folder + "video.mp4\"></video>";
+    html += "<video controls preload=\"metadata\" src=\"" + folder + "video.mp4\"></video>";
   }
   for (const std::string& plot : evidence.plots) {
     const std::string file = folder + Escaped(plot);

@@ -2,7 +2,6 @@
 #include "sim/map/sweep_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -12,12 +11,11 @@
 #include "models/support/parse_number.h"
 #include "sim/record/run_reader.h"
 #include "sim/sweep/axis.h"
+#include "sim/sweep/cell_row.h"
 #include "sim/sweep/csv_line.h"
 
 namespace sidestep::map {
 namespace {
-
-constexpr std::size_t kBeforeAxes = 3;  // ray, id, controller
 
 bool IsStrength(const std::string& key) {
   return key.starts_with("pushes.") && (key.ends_with(".magnitude_N") ||
@@ -27,7 +25,7 @@ bool IsStrength(const std::string& key) {
 /// Which columns of the table mean what.
 struct Columns {
   std::vector<std::string> names;
-  std::size_t after_axes{0};  // strength, stage, seed, outcome, reasons, impulse_Nspkg
+  std::size_t first_after_axes{0};
   std::optional<std::size_t> direction;
   std::vector<std::size_t> panel;
 };
@@ -35,19 +33,18 @@ struct Columns {
 Columns ColumnsOf(const std::string& header, const std::string& file) {
   Columns columns;
   columns.names = SplitCsvLine(header);
-  const auto strength = std::find(columns.names.begin(), columns.names.end(), "strength");
-  columns.after_axes = static_cast<std::size_t>(strength - columns.names.begin());
-  constexpr std::array<const char*, 6> kAfter{"strength", "stage",   "seed",
-                                              "outcome",  "reasons", "impulse_Nspkg"};
-  bool is_table = columns.after_axes >= kBeforeAxes &&
-                  columns.names.size() >= columns.after_axes + kAfter.size();
-  for (std::size_t i = 0; is_table && i < kAfter.size(); ++i) {
-    is_table = columns.names[columns.after_axes + i] == kAfter[i];
+  const auto strength = std::find(columns.names.begin(), columns.names.end(),
+                                  after_axes::kNames[after_axes::kStrength]);
+  columns.first_after_axes = static_cast<std::size_t>(strength - columns.names.begin());
+  bool is_table = columns.first_after_axes >= kColumnsBeforeAxes &&
+                  columns.names.size() >= columns.first_after_axes + after_axes::kNames.size();
+  for (std::size_t i = 0; is_table && i < after_axes::kNames.size(); ++i) {
+    is_table = columns.names[columns.first_after_axes + i] == after_axes::kNames[i];
   }
   if (!is_table || columns.names[2] != "controller") {
     throw ConfigError(file + ":1: error: is no table of a sweep's cells");
   }
-  for (std::size_t i = kBeforeAxes; i < columns.after_axes; ++i) {
+  for (std::size_t i = kColumnsBeforeAxes; i < columns.first_after_axes; ++i) {
     const std::string& key = columns.names[i];
     if (!columns.direction && key.ends_with("direction_rad")) {
       columns.direction = i;
@@ -120,24 +117,25 @@ class MapBuilder {
 
  private:
   void AddRun(const std::vector<std::string>& row, MapCell* cell) const {
-    const std::string* after = &row[columns_.after_axes];
+    const std::string* after = &row[columns_.first_after_axes];
     const auto ray = static_cast<std::size_t>(std::max(0.0, NumberOf(row[0])));
     auto point = std::find_if(cell->points.begin(), cell->points.end(), [&](const MapPoint& known) {
-      return known.ray == ray && known.strength == after[0];
+      return known.ray == ray && known.strength == after[after_axes::kStrength];
     });
     if (point == cell->points.end()) {
-      const double impulse_Nspkg = NumberOf(after[5]);
-      cell->points.push_back({after[0], std::isfinite(impulse_Nspkg) ? impulse_Nspkg : 0.0,
-                              after[1], 0, 0, 0, "", ray, after[2]});
+      const double impulse_Nspkg = NumberOf(after[after_axes::kImpulse]);
+      cell->points.push_back(
+          {after[after_axes::kStrength], std::isfinite(impulse_Nspkg) ? impulse_Nspkg : 0.0,
+           after[after_axes::kStage], 0, 0, 0, "", ray, after[after_axes::kSeed]});
       point = cell->points.end() - 1;
     }
-    const bool is_recovered = after[3] == "RECOVERED";
+    const bool is_recovered = after[after_axes::kOutcome] == "RECOVERED";
     point->recovered += is_recovered ? 1 : 0;
-    point->lost += after[3] == "LOST" ? 1 : 0;
-    point->invalid += after[3] == "INVALID" ? 1 : 0;
+    point->lost += after[after_axes::kOutcome] == "LOST" ? 1 : 0;
+    point->invalid += after[after_axes::kOutcome] == "INVALID" ? 1 : 0;
     if (!is_recovered && point->reasons.empty()) {
-      point->reasons = after[4];
-      point->seed = after[2];
+      point->reasons = after[after_axes::kReasons];
+      point->seed = after[after_axes::kSeed];
     }
   }
 

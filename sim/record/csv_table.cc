@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "models/support/config_error.h"
 #include "models/support/parse_number.h"
@@ -9,10 +10,15 @@
 #include "sim/record/run_reader.h"
 
 namespace sidestep {
+
 CsvTable CsvTable::Read(const std::filesystem::path& file) {
+  return Parse(ReadWholeFile(file), file);
+}
+
+CsvTable CsvTable::Parse(std::string whole, const std::filesystem::path& file) {
   CsvTable table;
   table.file_ = file;
-  table.text_ = ReadWholeFile(file);
+  table.text_ = std::move(whole);
   const std::string& text = table.text_;
 
   int line = 0;
@@ -68,17 +74,15 @@ std::size_t CsvTable::IndexOf(std::string_view column) const {
 
 std::string CsvTable::Text(std::size_t row, std::string_view column) const {
   SIDESTEP_REQUIRE(row < num_rows_, row);
-  const std::size_t cell = row * header_.size() + IndexOf(column);
-  return text_.substr(starts_[cell], lengths_[cell]);
+  return std::string(Cell(row, IndexOf(column)));
 }
 
 std::vector<double> CsvTable::Numbers(std::string_view column) const {
   const std::size_t index = IndexOf(column);
   std::vector<double> values(num_rows_);
   for (std::size_t row = 0; row < num_rows_; ++row) {
-    const std::size_t cell = row * header_.size() + index;
-    values[row] = ParseAs<double>(std::string_view(text_).substr(starts_[cell], lengths_[cell]))
-                      .value_or(std::numeric_limits<double>::quiet_NaN());
+    values[row] =
+        ParseAs<double>(Cell(row, index)).value_or(std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }

@@ -67,9 +67,18 @@ class CsvTable {
   /// @throws ConfigError if it can't be read, has no header, or another row's width is wrong.
   static CsvTable Read(const std::filesystem::path& file);
 
+  /// The same of a file's text. @param file  For errors.
+  static CsvTable Parse(std::string text, const std::filesystem::path& file);
+
   std::size_t num_rows() const { return num_rows_; }
   const std::vector<std::string>& header() const { return header_; }
   bool has(std::string_view column) const;
+
+  /// A cell by its column's number; valid as long as the table. Precondition: both are there.
+  std::string_view Cell(std::size_t row, std::size_t column) const {
+    const std::size_t cell = row * header_.size() + column;
+    return std::string_view(text_).substr(starts_[cell], lengths_[cell]);
+  }
 
   /// A cell's text. Precondition: row < num_rows().
   /// @throws ConfigError if there is no such column.

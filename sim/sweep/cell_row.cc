@@ -16,10 +16,7 @@
 namespace sidestep {
 namespace {
 
-// Numbers of the columns after those of the axes, counted from there.
-enum After : std::size_t { kStrength, kStage, kSeed, kOutcome, kReasons, kImpulse, kMetrics };
-constexpr std::size_t kBeforeAxes = 3;  // ray, id, controller
-constexpr std::size_t kOfMachine = 3;   // cpu_s, wall_s, host, at the end
+constexpr std::size_t kOfMachine = 3;  // cpu_s, wall_s, host, at the end
 
 std::string CellText(double value) {
   std::string text;
@@ -53,9 +50,7 @@ CellName NameOf(const CellKey& cell) { return {cell.ray, cell.strength, cell.see
 std::string RowHeader(const SweepSpec& spec) {
   std::vector<std::string> names{"ray", "id", "controller"};
   for (const Axis& axis : spec.axes) names.push_back(axis.key);
-  for (const char* name : {"strength", "stage", "seed", "outcome", "reasons", "impulse_Nspkg"}) {
-    names.emplace_back(name);
-  }
+  names.insert(names.end(), after_axes::kNames.begin(), after_axes::kNames.end());
   for (const MetricInfo& metric : KnownMetrics()) names.emplace_back(metric.name);
   for (const char* name : {"simulated_s", "cpu_s", "wall_s", "host"}) names.emplace_back(name);
   return CsvLine(names);
@@ -83,26 +78,27 @@ CellRow MakeRow(const SweepSpec& spec, const Ray& ray, const std::string& id, co
 
 CellRow ReadRow(const SweepSpec& spec, const std::string& line, const std::string& place) {
   const std::vector<std::string> cells = SplitCsvLine(line);
-  const std::size_t after = kBeforeAxes + spec.axes.size();
-  const std::size_t columns = after + kMetrics + KnownMetrics().size() + 1 + kOfMachine;
+  const std::size_t after = kColumnsBeforeAxes + spec.axes.size();
+  const std::size_t columns =
+      after + after_axes::kNames.size() + KnownMetrics().size() + 1 + kOfMachine;
   if (cells.size() != columns) {
     throw ConfigError(place + ": error: is no row of this sweep: it has " +
                       std::to_string(cells.size()) + " columns, not " + std::to_string(columns));
   }
   const auto ray = ParseAs<std::size_t>(cells[0]);
-  const auto stage = EnumOfName<SearchStage>(cells[after + kStage]);
-  const auto outcome = EnumOfName<CellOutcome>(cells[after + kOutcome]);
-  const auto impulse_Nspkg = ParseAs<double>(cells[after + kImpulse]);
+  const auto stage = EnumOfName<SearchStage>(cells[after + after_axes::kStage]);
+  const auto outcome = EnumOfName<CellOutcome>(cells[after + after_axes::kOutcome]);
+  const auto impulse_Nspkg = ParseAs<double>(cells[after + after_axes::kImpulse]);
   const auto cpu_s = ParseAs<double>(cells[columns - kOfMachine]);
   if (!ray || !stage || !outcome || !impulse_Nspkg || !cpu_s) {
     throw ConfigError(place +
                       ": error: is no row of this sweep: a column is not what it should be");
   }
   CellRow row;
-  row.cell = {*ray, cells[after + kStrength], cells[after + kSeed], *stage};
+  row.cell = {*ray, cells[after + after_axes::kStrength], cells[after + after_axes::kSeed], *stage};
   row.id = cells[1];
   row.outcome = *outcome;
-  row.reasons = cells[after + kReasons];
+  row.reasons = cells[after + after_axes::kReasons];
   row.impulse_Nspkg = *impulse_Nspkg;
   row.cpu_s = *cpu_s;
   row.line = line;

@@ -7,6 +7,7 @@
 // outcome, reasons, impulse_Nspkg, every metric, simulated_s, cpu_s, wall_s, host. But for the last
 // three, which tell of the machine, a cell's line is the same wherever and whenever it is run.
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -18,6 +19,17 @@
 #include "sim/sweep/rays.h"
 
 namespace sidestep {
+
+// A row's columns: ray, id and controller, one an axis, those of `after_axes`, the metrics,
+// simulated_s, and the machine's.
+inline constexpr std::size_t kColumnsBeforeAxes = 3;
+
+/// Columns counted from the one after the last axis.
+namespace after_axes {
+enum Column : std::size_t { kStrength, kStage, kSeed, kOutcome, kReasons, kImpulse };
+inline constexpr std::array<std::string_view, 6> kNames{"strength", "stage",   "seed",
+                                                        "outcome",  "reasons", "impulse_Nspkg"};
+}  // namespace after_axes
 
 /// A line, and what is read from it again.
 struct CellRow {

@@ -22,7 +22,7 @@ void AddCheckCommand(CLI::App& app, int& exit_code);
 /// `sweep SWEEP`, and its parts `plan`, `run` and `merge`: many runs of a scenario, as a map.
 void AddSweepCommand(CLI::App& app, int& exit_code);
 
-/// `compare A B`: two runs or two maps, told apart in numbers.
+/// `compare A B`: two runs or two maps, told apart in numbers; runs in pictures too.
 void AddCompareCommand(CLI::App& app, int& exit_code);
 
 /// `validate PATH...`: reads scenarios and sweeps and says what is wrong with them.

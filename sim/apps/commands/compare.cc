@@ -8,6 +8,7 @@
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
+#include "sim/compare/compare_page.h"
 #include "sim/compare/compare_runs.h"
 #include "sim/compare/fail_on.h"
 #include "sim/map/compare_maps.h"
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 struct CompareArguments {
   fs::path first;
   fs::path second;
+  fs::path folder;  ///< Empty: no plots.
   std::vector<std::string> fail_on;
 };
 
@@ -57,6 +59,7 @@ int Compare(const CompareArguments& arguments) {
     return fs::exists(arguments.first / file) && fs::exists(arguments.second / file);
   };
   if (both_have("cells.csv")) {
+    if (!arguments.folder.empty()) throw ConfigError("compare --out: error: is for two runs");
     const map::MapComparison comparison =
         map::CompareMaps(map::ReadMap(arguments.first), map::ReadMap(arguments.second));
     std::fputs(map::ComparisonText(comparison).c_str(), stdout);
@@ -65,6 +68,10 @@ int Compare(const CompareArguments& arguments) {
   if (both_have("summary.json")) {
     const RunComparison comparison = CompareRuns(arguments.first, arguments.second);
     std::fputs(RunComparisonText(comparison).c_str(), stdout);
+    if (!arguments.folder.empty()) {
+      WriteComparison(comparison, arguments.first, arguments.second, arguments.folder);
+      std::printf("  page    %s\n", (arguments.folder / "compare.html").c_str());
+    }
     return Judge(conditions, comparison.metrics);
   }
   throw ConfigError("compare: error: needs two runs (summary.json) or two maps (cells.csv)");
@@ -77,6 +84,10 @@ void AddCompareCommand(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CompareArguments>();
   command->add_option("A", arguments->first, "Folder of a run or a sweep")->required();
   command->add_option("B", arguments->second, "Another of the same kind")->required();
+  command
+      ->add_option("-o,--out", arguments->folder,
+                   "Folder that gets overlaid plots of two runs and a page with them")
+      ->type_name("DIR");
   command
       ->add_option(
           "--fail-on", arguments->fail_on,

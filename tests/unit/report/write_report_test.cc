@@ -205,6 +205,17 @@ TEST(HtmlTest, Base64PadsToFours) {
   EXPECT_EQ(report::Base64("\xff\xfe"), "//4=");
 }
 
+// As gnuplot writes them: a group's colour is what currentColor means within.
+TEST(InlineSvgTest, BlackInkIsThePagesInkInGroupsOfAnyColourToo) {
+  const std::string html = report::InlineSvg(
+      "<svg><g color=\"white\" stroke=\"currentColor\"><text fill=\"black\">a</text></g>"
+      "<g color=\"black\"/><g color=\"#0072B2\"/></svg>",
+      "p-", "l");
+  EXPECT_EQ(html,
+            "<svg role=\"img\" aria-label=\"l\"><g stroke=\"currentColor\"><text "
+            "fill=\"currentColor\">a</text></g><g/><g color=\"#0072B2\"/></svg>");
+}
+
 TEST(InlineSvgTest, IdsArePrefixedWhereTheyAreMadeAndWhereTheyAreUsed) {
   const std::string html = report::InlineSvg(
       "<?xml?><svg xmlns=\"http://x\"><g id='a' fill='black'/><use href='#a'/></svg>\n", "p-",
