@@ -54,6 +54,13 @@ TEST(IcubTest, SurvivesThePapersPushesThoughFivePercentHeavierThanItBelieves) {
 
 TEST(HumanoidTest, AnotherUrdfWalksWithTheSameController) { ExpectPass("humanoid_walk"); }
 
+TEST(HumanoidTest, XbotLStandsWalksAndIsPushed) {
+  for (const char* name :
+       {"xbot_l_stand", "xbot_l_walk", "xbot_l_push", "xbot_l_push_no_adjustment"}) {
+    ExpectPass(name);
+  }
+}
+
 TEST(IcubTest, FallsWhenItDoesNothing) {
   const ClosedLoopRun run("icub_walk", {"control.mode=passive"});
   EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();

@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, TorqueScenarioTest,
                                          "icub_torque_push", "icub_torque_push_no_adjustment",
                                          "icub_torque_push_no_timing", "icub_torque_push_long",
                                          "icub_torque_stand_push", "humanoid_torque_walk",
-                                         "humanoid_torque_push"));
+                                         "humanoid_torque_push", "g1_stand", "g1_walk", "g1_push",
+                                         "g1_push_no_adjustment"));
 
 TEST_P(TorqueScenarioTest, EndsAsExpected) {
   const ClosedLoopRun run(GetParam());

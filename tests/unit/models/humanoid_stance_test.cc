@@ -91,7 +91,8 @@ TEST_P(HumanoidStanceTest, AFallenRobotLiesOnTheFloorByItsBody) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, HumanoidStanceTest,
-                         testing::Values(std::string("icub3"), std::string("generic_humanoid")),
+                         testing::Values(std::string("icub3"), std::string("generic_humanoid"),
+                                         std::string("g1"), std::string("xbot_l")),
                          [](const auto& name) { return name.param; });
 
 /// Presses one body of a standing robot and tells how the reading of a sensor changes.

@@ -14,8 +14,8 @@ namespace {
 const std::filesystem::path kShipped = std::filesystem::path(SIDESTEP_SOURCE_DIR) / "models";
 
 TEST(RobotFaultsTest, RobotsThatShipHaveNone) {
-  for (const char* name :
-       {"hopper", "rabbit", "biped", "icub3", "generic_humanoid", "one_leg", "two_legs"}) {
+  for (const char* name : {"hopper", "rabbit", "biped", "icub3", "generic_humanoid", "g1", "xbot_l",
+                           "one_leg", "two_legs"}) {
     EXPECT_NO_THROW(ReadSoundRobot(kShipped / name / "robot.yaml")) << name;
   }
 }

@@ -63,7 +63,8 @@ std::vector<mjtNum> AfterAFall(const mjModel& model) {
 }
 
 TEST(DrawnWorldMjcfTest, LoadedByMujocoAloneItIsTheSimulatedRobotNumberForNumber) {
-  for (const std::string name : {"hopper", "biped", "rabbit", "icub3", "generic_humanoid"}) {
+  for (const std::string name :
+       {"hopper", "biped", "rabbit", "icub3", "generic_humanoid", "g1", "xbot_l"}) {
     const RobotDescription robot = Shipped(name);
     const MjModelPtr loaded = Loaded(robot);
     ASSERT_TRUE(loaded);
