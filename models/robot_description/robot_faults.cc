@@ -81,7 +81,13 @@ void AddSoleFaults(const RobotAtHome& at_home, const std::vector<Sole>& soles, d
                                    FigureText(high->height_m - low->height_m) + " m higher than " +
                                    name(low) + " at the start"});
   }
-  if (std::abs(mean_m) <= kSoleHeight_m) return;
+  // A sole that is tilted turns about a joint beside its middle, which levelling will move.
+  double allowance_m = kSoleHeight_m;
+  for (std::size_t i = 0; i < soles.size(); ++i) {
+    const double reach_m = robot.feet[i].vertices_m.colwise().norm().maxCoeff();
+    if (soles[i].tilt_rad > kSoleTilt_rad) allowance_m += soles[i].tilt_rad * reach_m;
+  }
+  if (std::abs(mean_m) <= allowance_m) return;
   faults->push_back(
       {"base_height_m", "= " + FigureText(robot.base_height_m) + " puts the soles " +
                             FigureText(std::abs(mean_m)) + " m " +

@@ -2,6 +2,7 @@
 #include "sim/apps/commands/print_robot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "models/robot_description/robot_figures.h"
@@ -12,12 +13,15 @@ namespace {
 
 constexpr double kMillisecond_s = 1e-3;
 
+/// To the tenth of a millimetre, without a sign of zero.
+double Readable(double length_m) { return std::round(1e4 * length_m) / 1e4 + 0.0; }
+
 void PrintServos(const RobotFigures& figures) {
   const double step_s = WorldParams{}.step_s;
   std::printf(
-      "  servos  at physics steps of %.3g ms; above 1 in carries, below 1 in damping and "
-      "below 4 in shake is stable\n",
-      step_s / kMillisecond_s);
+      "  servos  at physics steps dt of %.3g ms: k/(mgh) should be %.3g or more, d*dt/I must be "
+      "below 1, and\n          shake = (2 d dt + k dt^2) / I below 4\n",
+      step_s / kMillisecond_s, kStiffEnough);
   std::size_t width = 5;
   for (const ServoFigures& servo : figures.servos) width = std::max(width, servo.joint.size());
   const int w = static_cast<int>(width);
@@ -50,8 +54,8 @@ void PrintRobotFigures(const RobotDescription& robot) {
       figures.com_height_m, figures.omega_per_s, robot.com_height_m);
   for (const SoleFigures& sole : figures.soles) {
     std::printf("  sole    %s: %.3f x %.3f m, at x = %.4f, y = %.4f, z = %.4f m; leg of %.3f m\n",
-                sole.foot.c_str(), sole.length_m, sole.width_m, sole.p_WF.x(), sole.p_WF.y(),
-                sole.p_WF.z(), sole.leg_length_m);
+                sole.foot.c_str(), sole.length_m, sole.width_m, Readable(sole.p_WF.x()),
+                Readable(sole.p_WF.y()), Readable(sole.p_WF.z()), sole.leg_length_m);
   }
   if (!figures.servos.empty()) PrintServos(figures);
   for (const std::string& warning : ServoWarnings(robot)) {

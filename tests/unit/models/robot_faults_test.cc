@@ -86,6 +86,14 @@ TEST_F(HumanoidFaultsTest, AllFaultsAreToldAtOnceALineEach) {
       "r.yaml:13:3: error: home puts foot 'right' 0.00391 m higher than 'left' at the start");
 }
 
+TEST_F(HumanoidFaultsTest, LevellingSolesMovesThemSoThatTheBasesHeightIsNotBlamed) {
+  EditYaml("  left_ankle_pitch: -0.425308470915\n", "");
+  EditYaml("  right_ankle_pitch: -0.425308470915\n", "");
+  EXPECT_EQ(Error().find("base_height_m"), std::string::npos) << Error();
+  EditYaml("base_height_m: 0.811120901320", "base_height_m: 0.7");
+  EXPECT_NE(Error().find("base_height_m"), std::string::npos) << "too low by any tilt";
+}
+
 TEST_F(HumanoidFaultsTest, AJointThatHomeDoesNotNameStartsAtZero) {
   EditUrdf(
       "<parent link=\"pelvis\"/><child link=\"trunk\"/><origin xyz=\"0 0 0.12\"/><axis xyz=\"0 "

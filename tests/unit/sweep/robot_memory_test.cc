@@ -45,9 +45,9 @@ TEST_F(RobotMemoryTest, AChangeOfEitherFileIsSeen) {
   const std::size_t key = text.find("com_height_m:");
   ASSERT_NE(key, std::string::npos);
   folder_.Write("robot.yaml",
-                text.substr(0, key) + "com_height_m: 0.123" + text.substr(text.find('\n', key)));
-  EXPECT_EQ(Read().com_height_m, 0.123);
-  EXPECT_NE(height_m, 0.123);
+                text.substr(0, key) + "com_height_m: 0.515" + text.substr(text.find('\n', key)));
+  EXPECT_EQ(Read().com_height_m, 0.515);
+  EXPECT_NE(height_m, 0.515);
 }
 
 TEST_F(RobotMemoryTest, AMistakeIsNoMemory) {
