@@ -16,6 +16,8 @@
 namespace sidestep {
 namespace {
 
+constexpr const char* kFolder = "folder";  // what MeshFile::fault says of a file that isn't there
+constexpr const char* kFolderHint = " (meshes: FOLDER in robot.yaml names another folder)";
 constexpr double kShortestStick_m = 0.01;
 constexpr double kStickThickness = 0.12;  // radius over length, within the next two
 constexpr double kThinnest_m = 0.008;
@@ -95,7 +97,8 @@ class MeshFinder {
       if (names.size() > kMostNames) {
         list += " and " + std::to_string(names.size() - kMostNames) + " more";
       }
-      notes_->Notice(places_.at(fault), "no mesh is drawn that " + fault + ": " + list);
+      notes_->Notice(places_.at(fault), "no mesh is drawn that " + fault + ": " + list +
+                                            (fault.ends_with(kFolder) ? kFolderHint : ""));
     }
   }
 
@@ -136,16 +139,35 @@ Shape InertiaBox(const MassProperties& mass) {
   return box;
 }
 
+/// Where a body's sticks lead to from its own joint: joints on it, and shapes that are drawn.
+std::vector<Eigen::Vector3d> EndsOfSticks(const Body& body) {
+  std::vector<Eigen::Vector3d> ends;
+  for (const Body& child : body.children) {
+    const Eigen::Vector3d p_CJ =
+        child.joint ? child.joint->p_BJ : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    ends.push_back(child.X_PB * p_CJ);
+  }
+  for (const Shape& shape : body.shapes) {
+    if (shape.collides && shape.is_drawn && !shape.mesh) {
+      ends.push_back(shape.X_BS.translation());
+    }
+  }
+  return ends;
+}
+
 void AddSticks(Body* body) {
   const Eigen::Vector3d joint_m =
       body->joint ? body->joint->p_BJ : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const std::vector<Eigen::Vector3d> ends = EndsOfSticks(*body);
   std::vector<Shape> sticks;
-  for (const Body& child : body->children) {
-    const Eigen::Vector3d to_m =
-        child.joint ? child.X_PB * child.joint->p_BJ : Eigen::Vector3d(child.X_PB.translation());
-    if ((to_m - joint_m).norm() >= kShortestStick_m) sticks.push_back(Stick(joint_m, to_m));
+  for (const Eigen::Vector3d& end_m : ends) {
+    if ((end_m - joint_m).norm() >= kShortestStick_m) sticks.push_back(Stick(joint_m, end_m));
   }
-  if (sticks.empty() && body->mass.mass_kg > 0.0) sticks.push_back(InertiaBox(body->mass));
+  if (sticks.empty() && body->mass.mass_kg > 0.0) {
+    const Eigen::Vector3d& com_m = body->mass.com_m;
+    if ((com_m - joint_m).norm() >= kShortestStick_m) sticks.push_back(Stick(joint_m, com_m));
+    sticks.push_back(InertiaBox(body->mass));
+  }
   for (Shape& stick : sticks) {
     stick.link = body->name;
     body->shapes.push_back(std::move(stick));
@@ -154,17 +176,22 @@ void AddSticks(Body* body) {
 
 void Dress(MeshFinder* meshes, Body* body) {
   std::set<std::string> seen;  // links with something to look at
+  bool lacks_looks = body->shapes.empty();
   for (Shape& shape : body->shapes) {
-    const bool is_seen = !shape.collides && (!shape.mesh || meshes->Find(&shape));
-    if (is_seen) seen.insert(shape.link);
+    if (shape.collides) continue;
+    if (shape.mesh && !meshes->Find(&shape)) {
+      lacks_looks = true;
+    } else {
+      seen.insert(shape.link);
+    }
   }
-  bool is_visible = !seen.empty();
+  bool has_shape = !seen.empty();
   for (Shape& shape : body->shapes) {
     if (!shape.collides) continue;
     shape.is_drawn = !seen.contains(shape.link);
-    is_visible = is_visible || (shape.is_drawn && !shape.mesh);
+    has_shape = has_shape || !shape.mesh;
   }
-  if (!is_visible) AddSticks(body);
+  if (seen.empty() && (lacks_looks || !has_shape)) AddSticks(body);
   for (Body& child : body->children) Dress(meshes, &child);
 }
 

@@ -11,9 +11,10 @@
 namespace sidestep {
 
 /// Finds the meshes of visual shapes in `folders`; those that can't be drawn stay without
-/// MeshReference::mjcf, with a notice for each reason. Hides collision shapes of links that have a
-/// visual one. Gives a body that has nothing to see a stick to each joint and welded body on it or,
-/// where there is none, the box that has its mass and inertia.
+/// MeshReference::mjcf, with a notice for each reason. Hides collision shapes of links that have
+/// something else to look at. A body whose meshes are missing, or that has no shape, gets sticks
+/// from its joint to the joints and welded bodies on it and to its collision shapes or, where there
+/// are none, the box that has its mass and inertia.
 void FindLooks(const std::vector<std::filesystem::path>& folders, Body* base, FileNotes* notes);
 
 }  // namespace sidestep

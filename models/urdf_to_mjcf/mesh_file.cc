@@ -8,20 +8,32 @@
 namespace sidestep {
 namespace {
 
-constexpr std::string_view kPackage = "package://";
+constexpr std::string_view kScheme = "://";
+constexpr std::size_t kMostFolders = 20;  // of a path
 
 bool LiesIn(const std::filesystem::path& file, const std::filesystem::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
          folder.end();
 }
 
-/// What `filename` may mean within a folder.
+/// What `filename` may mean within a folder: itself, then what is left of it without its scheme,
+/// ups and first folders, the longest first.
 std::vector<std::filesystem::path> WithinFolder(const std::string& filename) {
-  if (!filename.starts_with(kPackage)) return {filename};
-  const std::string rest = filename.substr(kPackage.size());
-  const std::size_t slash = rest.find('/');
-  if (slash == std::string::npos) return {};
-  return {rest.substr(slash + 1), rest};
+  const std::size_t scheme = filename.find(kScheme);
+  const std::filesystem::path whole =
+      scheme == std::string::npos ? filename : filename.substr(scheme + kScheme.size());
+  std::vector<std::filesystem::path> names;
+  for (const std::filesystem::path& name : whole.lexically_normal().relative_path()) {
+    if (name == "..") continue;
+    names.push_back(name);
+  }
+  std::vector<std::filesystem::path> places{whole};
+  for (std::size_t first = 0; first < std::min(names.size(), kMostFolders); ++first) {
+    std::filesystem::path place;
+    for (std::size_t i = first; i < names.size(); ++i) place /= names[i];
+    places.push_back(place);
+  }
+  return places;
 }
 
 }  // namespace

@@ -18,9 +18,10 @@ struct MeshFile {
   std::string fault;
 };
 
-/// The file that a URDF calls `filename`: a path relative to one of `folders` or, from
-/// `package://name/path`, `path` or `name/path` there. Whatever it says, and wherever symbolic
-/// links lead, a file outside the folders is none.
+/// The file that a URDF calls `filename`: a path relative to one of `folders` or, of
+/// `package://name/path`, `name/path` there. Where that is none, first folders (and `..`) of the
+/// path are let go one by one, as robots are moved without their packages. Whatever it says, and
+/// wherever symbolic links lead, a file outside the folders is none.
 MeshFile FindMeshFile(const std::string& filename,
                       const std::vector<std::filesystem::path>& folders);
 

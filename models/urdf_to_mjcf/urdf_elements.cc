@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -12,6 +13,8 @@
 
 namespace sidestep {
 namespace {
+
+constexpr double kLeastAxis = 1e-6;  // of its length; MuJoCo wants one of 1e-15
 
 /// Removes the children of `element` whose tags are none of `kept`.
 template <std::size_t N>
@@ -50,6 +53,10 @@ class ElementChecker {
       const std::string& tag = child->ValueStr();
       if (child->ToElement() == nullptr) {
         robot_.RemoveChild(child);
+      } else if (tag.starts_with("xacro:")) {
+        notes_.Problem(PlaceOf(*child), "<" + tag + "> is xacro's; expand the file first: xacro " +
+                                            "FILE > robot.urdf");
+        notes_.ThrowProblems();  // what follows is no URDF either
       } else if (tag != "link" && tag != "joint" && tag != "material") {
         ++counts[tag];
         robot_.RemoveChild(child);
@@ -105,7 +112,7 @@ class ElementChecker {
                          " has an <inertial> without <mass value=\"...\">; give it one, or "
                          "leave the <inertial> out");
     } else {
-      Note(*mass, label, FaultOfNumbers(mass, "value", 1));
+      Note(*mass, label, FaultOfNumbers(mass, "value", 1, kMaxUrdfMass_kg));
     }
     TiXmlElement* inertia = inertial->FirstChildElement("inertia");
     if (inertia == nullptr) {
@@ -113,7 +120,7 @@ class ElementChecker {
     }
     for (const char* entry : {"ixx", "iyy", "izz", "ixy", "ixz", "iyz"}) {
       if (inertia->Attribute(entry) == nullptr) inertia->SetAttribute(entry, "0");
-      Note(*inertial, label, FaultOfNumbers(inertia, entry, 1));
+      Note(*inertial, label, FaultOfNumbers(inertia, entry, 1, kMaxUrdfInertia_kgm2));
     }
   }
 
@@ -145,15 +152,15 @@ class ElementChecker {
                                           "fixed, floating, planar");
     }
     if (TiXmlElement* axis = joint->FirstChildElement("axis")) {
-      const std::string fault = FaultOfNumbers(axis, "xyz", 3);
+      const std::string fault = FaultOfNumbers(axis, "xyz", 3, kMaxUrdfNumber);
       Note(*axis, label, fault);
       std::istringstream numbers(TextOf(*axis, "xyz"));
       double x = 0.0, y = 0.0, z = 0.0;
-      const bool is_zero = (numbers >> x >> y >> z) && x == 0.0 && y == 0.0 && z == 0.0;
+      const bool is_zero = (numbers >> x >> y >> z) && std::hypot(x, y, z) < kLeastAxis;
       if (type == "fixed" || type == "floating") {
         joint->RemoveChild(axis);
       } else if (fault.empty() && is_zero) {
-        notes_.Problem(PlaceOf(*axis), label + " has the axis 0 0 0, along which nothing turns");
+        notes_.Problem(PlaceOf(*axis), label + " has an axis of no length, which points nowhere");
       }
     }
     const bool needs_limit = type == "revolute" || type == "prismatic";
@@ -170,7 +177,7 @@ class ElementChecker {
     if (element == nullptr) return;
     for (const char* number :
          {"lower", "upper", "effort", "velocity", "damping", "friction", "multiplier", "offset"}) {
-      Note(*element, label, FaultOfNumbers(element, number, 1));
+      Note(*element, label, FaultOfNumbers(element, number, 1, kMaxUrdfNumber));
     }
     for (const char* size : {"effort", "velocity", "damping"}) {
       if (FiniteNumber(TextOf(*element, size)).value_or(0.0) < 0.0) {

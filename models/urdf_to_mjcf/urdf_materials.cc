@@ -13,7 +13,8 @@ std::string FaultOfColor(TiXmlElement* material) {
   TiXmlElement* const color = material->FirstChildElement("color");
   if (color == nullptr) return "";
   if (color->Attribute("rgba") == nullptr) return "has a <color> without rgba";
-  if (std::string fault = FaultOfNumbers(color, "rgba", 4); !fault.empty()) return fault;
+  if (std::string fault = FaultOfNumbers(color, "rgba", 4, kMaxUrdfNumber); !fault.empty())
+    return fault;
   std::istringstream numbers(TextOf(*color, "rgba"));
   for (double number = 0.0; numbers >> number;) {
     if (number < 0.0 || number > 1.0) {
@@ -32,6 +33,7 @@ class MaterialMender {
     ForEachChild(robot_, "material", [&](TiXmlElement& material) { MendOfRobot(&material); });
     ForEachVisual([&](TiXmlElement& visual) { Collect(&visual); });
     ForEachVisual([&](TiXmlElement& visual) { Resolve(&visual); });
+    Notice();
   }
 
  private:
@@ -71,10 +73,9 @@ class MaterialMender {
     }
     if (!HasColor(*material)) return;
     if (TextOf(*material, "name").empty()) {
-      std::string name;
-      do {
-        name = "unnamed_" + std::to_string(++num_unnamed_);
-      } while (known_.contains(name));
+      if (num_unnamed_ == 0) first_unnamed_ = PlaceOf(*material);
+      std::string name = "unnamed_" + std::to_string(++num_unnamed_);
+      while (known_.contains(name)) name += "_";
       material->SetAttribute("name", name.c_str());
     }
     if (known_.insert(TextOf(*material, "name")).second) {
@@ -84,13 +85,23 @@ class MaterialMender {
 
   void Resolve(TiXmlElement* visual) {
     TiXmlElement* const material = visual->FirstChildElement("material");
-    if (material == nullptr || known_.contains(TextOf(*material, "name"))) return;
-    if (!TextOf(*material, "name").empty()) {
-      notes_.Notice(PlaceOf(*material), label_ + " names the material '" +
-                                            TextOf(*material, "name") +
-                                            "', which has no colour; it is drawn grey");
-    }
+    const std::string name = material != nullptr ? TextOf(*material, "name") : "";
+    if (material == nullptr || known_.contains(name)) return;
+    if (!name.empty() && unknown_.empty()) first_unknown_ = PlaceOf(*material);
+    if (!name.empty()) unknown_.insert(name);
     visual->RemoveChild(material);
+  }
+
+  void Notice() {
+    if (num_unnamed_ > 0) {
+      notes_.Notice(first_unnamed_, "materials without a name are taken by their colours: " +
+                                        std::to_string(num_unnamed_));
+    }
+    std::string list;
+    for (const std::string& name : unknown_) list += (list.empty() ? "" : ", ") + name;
+    if (!list.empty()) {
+      notes_.Notice(first_unknown_, "materials without a colour are drawn grey: " + list);
+    }
   }
 
   TiXmlElement& robot_;
@@ -98,6 +109,9 @@ class MaterialMender {
   std::set<std::string> known_;  ///< With a colour.
   std::string label_;            ///< Of the link at hand.
   int num_unnamed_{0};
+  TextPlace first_unnamed_;
+  std::set<std::string> unknown_;  ///< Names that stand for no colour.
+  TextPlace first_unknown_;
 };
 
 }  // namespace

@@ -17,7 +17,8 @@ std::string FaultOfSize(TiXmlElement* shape, const char* attribute, std::size_t 
   if (shape->Attribute(attribute) == nullptr) {
     return "has a " + Tag(*shape) + " without " + attribute;
   }
-  if (std::string fault = FaultOfNumbers(shape, attribute, count); !fault.empty()) return fault;
+  if (std::string fault = FaultOfNumbers(shape, attribute, count, kMaxUrdfLength_m); !fault.empty())
+    return fault;
   std::istringstream numbers(TextOf(*shape, attribute));
   for (double number = 0.0; numbers >> number;) {
     if (number <= 0.0) {
@@ -49,32 +50,41 @@ std::optional<double> FiniteNumber(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-std::string FaultOfNumbers(TiXmlElement* element, const char* attribute, std::size_t count) {
+std::string FaultOfNumbers(TiXmlElement* element, const char* attribute, std::size_t count,
+                           double most) {
   if (element->Attribute(attribute) == nullptr) return "";
   std::istringstream text(TextOf(*element, attribute));
   std::string joined;
   std::size_t found = 0;
-  bool is_good = true;
+  bool is_number = true, is_small = true;
   for (std::string word; text >> word; ++found) {
-    is_good = is_good && FiniteNumber(word);
+    const std::optional<double> number = FiniteNumber(word);
+    is_number = is_number && number;
+    is_small = is_small && std::abs(number.value_or(0.0)) <= most;
     joined += (found > 0 ? " " : "") + word;
   }
-  if (is_good && found == count) {
+  if (is_number && is_small && found == count) {
     element->SetAttribute(attribute, joined.c_str());
     return "";
   }
   constexpr std::size_t kMostTold = 60;  // characters of a value
-  const std::string must =
-      count == 1 ? "a finite number" : std::to_string(count) + " finite numbers";
-  return "has " + std::string(attribute) + " = '" + joined.substr(0, kMostTold) + "' in <" +
-         element->ValueStr() + ">, which must be " + must;
+  std::ostringstream fault;
+  fault << "has " << attribute << " = '" << joined.substr(0, kMostTold) << "' in <"
+        << element->ValueStr() << ">, which must be ";
+  if (is_number && found == count) {
+    fault << "at most " << most;
+  } else {
+    fault << (count == 1 ? "a finite number" : std::to_string(count) + " finite numbers");
+    if (joined.find("${") != std::string::npos) fault << "; expand the file with xacro first";
+  }
+  return fault.str();
 }
 
 std::string FaultOfOrigin(TiXmlElement* parent) {
   TiXmlElement* const origin = parent->FirstChildElement("origin");
   if (origin == nullptr) return "";
-  const std::string fault = FaultOfNumbers(origin, "xyz", 3);
-  return fault.empty() ? FaultOfNumbers(origin, "rpy", 3) : fault;
+  const std::string fault = FaultOfNumbers(origin, "xyz", 3, kMaxUrdfLength_m);
+  return fault.empty() ? FaultOfNumbers(origin, "rpy", 3, kMaxUrdfAngle_rad) : fault;
 }
 
 std::string FaultOfShape(TiXmlElement* owner) {
@@ -94,7 +104,7 @@ std::string FaultOfShape(TiXmlElement* owner) {
     return "has the shape " + Tag(*shape) + ", which is none of box, sphere, cylinder, mesh";
   }
   if (TextOf(*shape, "filename").empty()) return "has a <mesh> without filename";
-  return FaultOfNumbers(shape, "scale", 3);
+  return FaultOfNumbers(shape, "scale", 3, kMaxUrdfNumber);
 }
 
 }  // namespace sidestep

@@ -18,9 +18,17 @@ namespace sidestep {
 /// The number that is the whole of `text`, but NaN and infinities.
 std::optional<double> FiniteNumber(std::string_view text);
 
-/// Why `attribute` does not hold `count` finite numbers; not being there is no fault. Blanks of all
-/// kinds between the numbers become single ones, which is all that urdfdom takes.
-std::string FaultOfNumbers(TiXmlElement* element, const char* attribute, std::size_t count);
+// Bounds of what numbers may mean; beyond, they have another unit or are placeholders.
+inline constexpr double kMaxUrdfLength_m = 10.0;  ///< Catches millimetres.
+inline constexpr double kMaxUrdfAngle_rad = 1e3;
+inline constexpr double kMaxUrdfMass_kg = 1e4;
+inline constexpr double kMaxUrdfInertia_kgm2 = 1e6;  ///< Of the greatest mass and length.
+inline constexpr double kMaxUrdfNumber = 1e20;       ///< Of what is bounded elsewhere.
+
+/// Why `attribute` does not hold `count` numbers of at most this size; not being there is no fault.
+/// Blanks of all kinds between the numbers become single ones, which is all that urdfdom takes.
+std::string FaultOfNumbers(TiXmlElement* element, const char* attribute, std::size_t count,
+                           double most);
 
 /// The same of an <origin> within `parent`.
 std::string FaultOfOrigin(TiXmlElement* parent);

@@ -86,8 +86,8 @@ TEST_F(LooksTest, ALeafIsTheBoxOfItsInertia) {
   Body body;
   body.mass = {12.0, {0.1, 0, 0}, Eigen::Vector3d(0.25, 0.20, 0.13).asDiagonal()};
   FindLooks({}, &body, &notes);
-  ASSERT_EQ(body.shapes.size(), 1U);
-  const Shape& box = body.shapes[0];
+  ASSERT_EQ(body.shapes.size(), 2U) << "a stick to its CoM";
+  const Shape& box = body.shapes[1];
   EXPECT_EQ(box.kind, ShapeKind::kBox);
   const Eigen::Vector3d along = (box.X_BS.linear() * box.size_m).cwiseAbs();
   EXPECT_TRUE(along.isApprox(Eigen::Vector3d(0.1, 0.15, 0.2), 1e-9)) << along.transpose();
@@ -123,14 +123,16 @@ TEST_F(LooksTest, MeshesThatCantBeDrawnAreNamedAtOnce) {
   const std::string mesh = "<mesh filename=\"trunk.stl\"/>";
   EXPECT_EQ(NoticesOf(Read()),
             std::vector<std::string>{"mini.urdf:10:5: notice: no mesh is drawn that is not in the "
-                                     "robot's folder: trunk.stl"});
+                                     "robot's folder: trunk.stl (meshes: FOLDER in robot.yaml "
+                                     "names another folder)"});
   folder_.Write("a.dae", "<COLLADA/>");
   EXPECT_EQ(NoticesOf(Read(mesh, "<mesh filename=\"a.dae\"/>")),
             std::vector<std::string>{
                 "mini.urdf:10:5: notice: no mesh is drawn that is neither STL nor OBJ: a.dae"});
   EXPECT_EQ(NoticesOf(Read(mesh, "<mesh filename=\"/etc/passwd\"/>")),
             std::vector<std::string>{"mini.urdf:10:5: notice: no mesh is drawn that lies outside "
-                                     "the robot's folder: /etc/passwd"});
+                                     "the robot's folder: /etc/passwd (meshes: FOLDER in "
+                                     "robot.yaml names another folder)"});
   folder_.Write("tiny.stl", StlText(Tetrahedron()));
   EXPECT_EQ(NoticesOf(Read(mesh, "<mesh filename=\"tiny.stl\" scale=\"0.001 0.001 0.001\"/>")),
             std::vector<std::string>{"mini.urdf:10:5: notice: no mesh is drawn that is smaller "

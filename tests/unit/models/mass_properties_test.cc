@@ -52,5 +52,29 @@ TEST(MassPropertiesTest, OnlyPossibleInertiasArePhysical) {
   EXPECT_FALSE(is_physical(1, std::nan(""), 1, 1));
 }
 
+TEST(MassPropertiesTest, TogetherUndoesWithout) {
+  const MassProperties part{1.0, {0.1, -0.2, 0.3}, Eigen::Vector3d(0.01, 0.02, 0.025).asDiagonal()};
+  const MassProperties other{3.0, {-0.1, 0.4, 0.0}, Eigen::Vector3d(0.04, 0.03, 0.05).asDiagonal()};
+  const MassProperties back = Without(Together(part, other), part);
+  EXPECT_NEAR(back.mass_kg, other.mass_kg, 1e-14);
+  EXPECT_TRUE(back.com_m.isApprox(other.com_m, 1e-13));
+  EXPECT_TRUE(back.inertia_kgm2.isApprox(other.inertia_kgm2, 1e-12));
+}
+
+TEST(MassPropertiesTest, WhyABodyIsImpossibleIsToldInNumbers) {
+  const auto why = [](double mass_kg, const Eigen::Vector3d& moments) {
+    return WhyNotPhysical({mass_kg, Eigen::Vector3d::Zero(), moments.asDiagonal()});
+  };
+  EXPECT_EQ(why(1.0, {1, 2, 3}), "") << "a flat body";
+  EXPECT_EQ(why(1.0, {4, 1, 2}),
+            "of 1 kg has the principal moments 1, 2 and 4 kg m^2; none may be greater than the "
+            "other two together, and 4 > 1 + 2");
+  EXPECT_EQ(why(1.0, {0, 1, 1}),
+            "of 1 kg has the principal moments 0, 1 and 1 kg m^2; each must be greater than 0");
+  EXPECT_EQ(why(0.0, {1, 1, 1}),
+            "of 0 kg has the principal moments 1, 1 and 1 kg m^2, and no body has a mass that is "
+            "not positive");
+}
+
 }  // namespace
 }  // namespace sidestep::mass_properties_test

@@ -100,6 +100,8 @@ TEST_F(FindMeshFileTest, PathsAndPackagesAreFoundWithinTheFolder) {
   EXPECT_EQ(Find("package://my_robot/meshes/a.stl"), "meshes/a.stl");
   EXPECT_EQ(Find("package://my_robot/meshes/b.stl"), "my_robot/meshes/b.stl");
   EXPECT_EQ(Find("meshes/../meshes/a.stl"), "meshes/a.stl");
+  EXPECT_EQ(Find("../meshes/a.stl"), "meshes/a.stl") << "moved without what was above";
+  EXPECT_EQ(Find("package:///all_robots/my_robot/meshes/a.stl"), "meshes/a.stl");
   EXPECT_EQ(Find("meshes/c.stl"), "is not in the robot's folder");
   EXPECT_EQ(Find("meshes"), "is not in the robot's folder");
   EXPECT_EQ(Find("package://my_robot"), "is not in the robot's folder");
@@ -113,7 +115,7 @@ TEST_F(FindMeshFileTest, NothingOutsideIsFoundByAnyWay) {
   EXPECT_EQ(Find("package://my_robot/../../secret.stl"), outside);
   EXPECT_EQ(Find("package://../secret.stl"), outside);
   EXPECT_EQ(Find((folder_.path() / "secret.stl").string()), outside);
-  EXPECT_EQ(Find("package://x//etc/passwd"), outside);
+  EXPECT_EQ(Find("package://x//etc/passwd"), "is not in the robot's folder");
   std::filesystem::create_symlink(folder_.path() / "secret.stl", folder_.path() / "robot/link.stl");
   std::filesystem::create_directory_symlink(folder_.path(), folder_.path() / "robot/up");
   EXPECT_EQ(Find("link.stl"), outside);

@@ -175,10 +175,10 @@ TEST_F(ReadUrdfTest, ColoursAreTakenWithoutNamesAndLeftOutWhereThereIsNone) {
   Lines notices;
   EXPECT_EQ(color_of("<material><color rgba=\"0 0.5 1 1\"/></material>", &notices),
             Eigen::Vector4d(0, 0.5, 1, 1));
-  EXPECT_EQ(notices, Lines{});
+  EXPECT_EQ(notices,
+            Lines{"a.urdf:9:72: notice: materials without a name are taken by their colours: 1"});
   EXPECT_EQ(color_of("<material name=\"blue\"/>", &notices), grey);
-  EXPECT_EQ(notices, Lines{"a.urdf:9:72: notice: link 'trunk' names the material 'blue', which has "
-                           "no colour; it is drawn grey"});
+  EXPECT_EQ(notices, Lines{"a.urdf:9:72: notice: materials without a colour are drawn grey: blue"});
   EXPECT_EQ(color_of("<material name=\"x\"><color rgba=\"255 0 0 255\"/></material>", &notices),
             grey);
   EXPECT_EQ(notices.size(), 2U);

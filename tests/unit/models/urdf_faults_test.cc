@@ -68,6 +68,26 @@ TEST_F(UrdfFaultsTest, EveryUnreadablePartIsToldAtOnce) {
             "be 3 finite numbers");
 }
 
+TEST_F(UrdfFaultsTest, NumbersOfNoRobotAreToldAsSuch) {
+  EXPECT_EQ(ErrorOf({{"<mass value=\"2\"/>", "<mass value=\"1e300\"/>"},
+                     {"<box size=\"0.2 0.1 0.02\"/>", "<box size=\"200 100 20\"/>"},
+                     {"<origin xyz=\"0 0 -0.03\"/>", "<origin xyz=\"0 0 -1e200\"/>"},
+                     {"<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 1e-200 0\"/>"},
+                     {"<origin xyz=\"0 0.2 0.2\"/>", "<origin xyz=\"0 ${y} 0.2\"/>"}}),
+            "mini.urdf:7:67: error: link 'trunk' has value = '1e300' in <mass>, which must be at "
+            "most 10000\n"
+            "mini.urdf:22:78: error: joint 'hip' has an axis of no length, which points nowhere\n"
+            "mini.urdf:26:5: error: link 'foot' has size = '200 100 20' in <box>, which must be at "
+            "most 10\n"
+            "mini.urdf:32:3: error: joint 'sole_fixed' has xyz = '0 0 -1e200' in <origin>, which "
+            "must be at most 10\n"
+            "mini.urdf:40:3: error: joint 'shoulder' has xyz = '0 ${y} 0.2' in <origin>, which "
+            "must be 3 finite numbers; expand the file with xacro first");
+  EXPECT_EQ(ErrorOfParts("<xacro:leg side=\"left\"/>"),
+            "a.urdf:2:1: error: <xacro:leg> is xacro's; expand the file first: xacro FILE > "
+            "robot.urdf");
+}
+
 TEST_F(UrdfFaultsTest, EveryProblemOfAReadableOneIsToldAtOnce) {
   EXPECT_EQ(
       ErrorOf({{"izz=\"0.04\"", "izz=\"0.4\""},
