@@ -16,7 +16,7 @@ constexpr const char* kToyLeg = R"(
           <geom type="capsule" fromto="0 0 0 0 0 -0.24" size="0.025" mass="1"
                 rgba="0.9 0.9 0.92 1"/>
           <geom type="box" size="0.08 0.04 0.01" pos="0.02 0 -0.25" mass="0.5"
-                rgba="0.2 0.22 0.25 1"/>
+                rgba="0.2 0.22 0.25 1" contype="1" conaffinity="1"/>
           <site name="%" pos="0 0 -0.26"/>
         </body>
       </body>)";
@@ -60,11 +60,11 @@ name: toy
 mjcf: toy.xml
 base: trunk
 imu: imu
-com_height_m: 0.6
-base_height_m: 0.52
+com_height_m: 0.5714
+base_height_m: 0.5
 feet:
-  - {name: left, frame: left, sole_height_m: 0.0, vertices_m: [[0.10, 0.04, 0], [0.10, -0.04, 0], [-0.06, -0.04, 0], [-0.06, 0.04, 0]]}
-  - {name: right, frame: right, sole_height_m: 0.0, vertices_m: [[0.10, 0.04, 0], [0.10, -0.04, 0], [-0.06, -0.04, 0], [-0.06, 0.04, 0]]}
+  - {name: left, frame: left, sole_height_m: 0.0, vertices_m: [[0, 0, 0]]}
+  - {name: right, frame: right, sole_height_m: 0.0, vertices_m: [[0, 0, 0]]}
 )";
 
 }  // namespace

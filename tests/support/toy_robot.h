@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// toy_robot: a biped of 20 kg with box feet, for tests that need a robot to draw and to describe.
+// toy_robot: a biped of 20 kg with box feet that bear on a point, for tests that need a robot to
+// draw and to describe.
 
 #include <filesystem>
 

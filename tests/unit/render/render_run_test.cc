@@ -13,6 +13,7 @@
 
 #include "models/support/config_error.h"
 #include "sim/process/process.h"
+#include "sim/record/run_files.h"
 #include "tests/support/run_files.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/unit/render/render_test_support.h"
@@ -74,13 +75,14 @@ TEST(RenderRunTest, TheIndexComesBeforeThePictures) {
   EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));
 }
 
-TEST(RenderRunTest, NothingButTheVideoIsLeftBehind) {
+TEST(RenderRunTest, NothingButTheVideoAndItsPlaceOnTheListIsLeftBehind) {
   const auto dir = FreshTestDir("render_clean");
   WriteSyntheticRun(dir);
   const auto count = [&] { return std::distance(std::filesystem::directory_iterator(dir), {}); };
   const auto before = count();
   RenderRun(dir, Small());
-  EXPECT_EQ(count(), before + 1);
+  EXPECT_EQ(count(), before + 2);
+  EXPECT_EQ(ListedRunFiles(dir), std::vector<std::string>{"video.mp4"});
 }
 
 TEST(RenderRunTest, ProgressGrowsToOne) {

@@ -186,7 +186,8 @@ TEST_F(CheckScenarioTest, TorqueControlNeedsMotorsWithLimits) {
 TEST_F(CheckScenarioTest, EstimatedWrenchNeedsSensorsInTheArms) {
   EXPECT_EQ(ErrorOfEdit("mode: torque", "external_wrench: estimated"),
             "a.yaml:8:20: error: control.external_wrench = estimated needs force/torque sensors in "
-            "the arms, which 'mini' lacks; write external_wrench: unknown or known");
+            "the arms, which 'mini' lacks; write external_wrench: unknown or known, or "
+            "estimation.push_cutoff_hz above 0");
   EXPECT_EQ(ErrorIn(valid_, Together(kWalker, "control.external_wrench=estimated")),
             "--set control.external_wrench=estimated: error: control.external_wrench = estimated "
             "needs force/torque sensors in the arms, which the centroidal plant lacks; write "
