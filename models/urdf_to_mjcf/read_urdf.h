@@ -22,7 +22,7 @@
 namespace sidestep {
 
 /// A welded link of at most this mass may have no inertia, or an impossible one: that of a camera's
-/// or sensor's frame is often a placeholder, and its mass at a point makes no difference.
+/// or sensor's frame is often made up, and its mass at a point makes no difference.
 inline constexpr double kMaxPointMass_kg = 0.02;
 
 /// The tree under the base, and what the URDF says of the motors.

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "sim/process/process.h"
+#include "sim/record/run_files.h"
 #include "tests/support/run_files.h"
 #include "tests/support/sidestep_program.h"
 #include "tests/unit/check/check_test_support.h"
@@ -180,6 +181,7 @@ TEST(OutputFolderTest, ForceReplacesARunAndNothingElse) {
   ASSERT_EQ(RunOf(file, out).exit_code, 0);
   folder.Write("out/notes.txt", "mine");
   folder.Write("out/video.mp4", "of the older run");
+  ListRunFiles(out, {"video.mp4"});
   EXPECT_EQ(RunOf(file, out).exit_code, 2);
   EXPECT_TRUE(fs::exists(out / "video.mp4"));
   EXPECT_EQ(RunOf(file, out, {"--force"}).exit_code, 0);

@@ -182,14 +182,7 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
           ->capture_default_str();
   command->add_flag("--force", arguments->is_forced, "Replace runs that lie in the --out folder");
   command->add_flag("--video", arguments->has_video, "Also draw the videos");
-  CLI::Option* plots =
-      command->add_option("--plots", arguments->plots, "Runs to plot: always, failed, never")
-          ->check(CLI::IsMember({"always", "failed", "never"}))
-          ->capture_default_str();
-  command
-      ->add_flag_callback(
-          "--no-plots", [arguments] { arguments->plots = "never"; }, "As --plots never")
-      ->excludes(plots);
+  AddPlotsOption(*command, "Runs to plot: always, failed, never", arguments->plots);
   command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
   AddSetOption(*command, arguments->overrides);
   command->callback([arguments, out, &exit_code] {

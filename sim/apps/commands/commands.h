@@ -62,6 +62,9 @@ CLI::Validator TimeInRun();
 /// Prints a line to stderr: what a reader notes although nothing is wrong.
 void PrintNote(const std::string& note);
 
+/// Adds --plots always|failed|never, with `help`, and --no-plots; both go to `plots`.
+void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plots);
+
 /// The words of this process's command line, for summary.json.
 std::vector<std::string> CommandWords();
 

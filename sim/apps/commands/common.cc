@@ -19,6 +19,16 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plots) {
+  CLI::Option* option = command.add_option("--plots", plots, help)
+                            ->check(CLI::IsMember({"always", "failed", "never"}))
+                            ->capture_default_str();
+  command
+      .add_flag_callback(
+          "--no-plots", [&plots] { plots = "never"; }, "As --plots never")
+      ->excludes(option);
+}
+
 CLI::Validator TimeInRun() {
   return {[](std::string& text) {
             double time_s = 0.0;

@@ -128,14 +128,7 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command->add_flag("--force", arguments->is_forced, "Replace the run that lies in the folder");
   command->add_flag("--no-video", arguments->no_video, "Draw no video");
-  CLI::Option* plots =
-      command->add_option("--plots", arguments->plots, "When to draw plots: always, failed, never")
-          ->check(CLI::IsMember({"always", "failed", "never"}))
-          ->capture_default_str();
-  command
-      ->add_flag_callback(
-          "--no-plots", [arguments] { arguments->plots = "never"; }, "As --plots never")
-      ->excludes(plots);
+  AddPlotsOption(*command, "When to draw plots: always, failed, never", arguments->plots);
   command->add_flag("--dump-mpc", arguments->dump_mpc,
                     "Write every MPC problem as JSON into DIR/problems, not only failed ones");
   command->add_option("-j,--jobs", arguments->jobs, "Processes that draw the video")
