@@ -106,5 +106,22 @@ TEST_P(CentroidalShoveTest, TheMpcFallsWithFixedFootholdsIfItMayNotSpin) {
   EXPECT_TRUE(run.FailedBy(reason::kFall)) << run.Describe();
 }
 
+// The same, of the MPC as it ships: footholds that stay don't bear at 1.7 N s/kg what a step does.
+TEST(CentroidalBaselineTest, TheQpRecoversFromAShoveThatTheMpcWithFixedFootholdsIsLostAt) {
+  const std::vector<std::string> shove{
+      "control.rate_hz=500", "duration_s=8",
+      "gait=[{type: stand}, {type: walk, start_s: 1, step_length_m: 0.11, swing_s: 0.4, "
+      "double_support_s: 0.1}]",
+      "pushes=[{body: com, at_phase: mid_swing, after_s: 2, duration_s: 0.1, impulse_Nspkg: 1.7, "
+      "direction_rad: 1.5708}]",
+      "expect={recovered: true}"};
+  std::vector<std::string> stepping = shove, fixed = shove;
+  stepping.push_back("control.stepping=dcm_qp");
+  fixed.insert(fixed.end(), kFixedFootholds.begin(), kFixedFootholds.end());
+  const ClosedLoopRun by_qp("two_legs", stepping), by_mpc("two_legs", fixed);
+  EXPECT_EQ(by_qp.verdict.verdict_class, VerdictClass::kPass) << by_qp.Describe();
+  EXPECT_EQ(by_mpc.verdict.verdict_class, VerdictClass::kFail) << by_mpc.Describe();
+}
+
 }  // namespace
 }  // namespace sidestep
