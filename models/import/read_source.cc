@@ -10,11 +10,10 @@
 
 #include "models/import/xml_values.h"
 #include "models/support/xml_bounds.h"
+#include "models/urdf_to_mjcf/urdf_graph.h"
 
 namespace sidestep::importer {
 namespace {
-
-constexpr std::size_t kMaxLinks = 2000;  // a humanoid with hands has about 100
 
 class SourceReader {
  public:
@@ -69,8 +68,8 @@ class SourceReader {
     if (!links_.insert({link.name, static_cast<int>(robot_.links.size())}).second) {
       values_.Add(element, "= '" + link.name + "' is there twice");
     }
-    if (robot_.links.size() == kMaxLinks) {
-      values_.Add(element, "is one too many: a robot has at most " + std::to_string(kMaxLinks));
+    if (robot_.links.size() == kMaxUrdfLinks) {
+      values_.Add(element, "is one too many: a robot has at most " + std::to_string(kMaxUrdfLinks));
       problems_.ThrowIfAny();
     }
     if (const TiXmlElement* inertial = element.FirstChildElement("inertial")) {

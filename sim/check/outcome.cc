@@ -13,7 +13,6 @@ namespace sidestep {
 namespace {
 
 constexpr std::size_t kErrorBytes = 2000;  ///< How much of a stderr is kept.
-constexpr int kSignalBase = 128;           ///< ProcessResult's exit code of a signal: 128 + n.
 
 std::string Number(double value) {
   char text[32];
@@ -66,8 +65,9 @@ std::string LastLine(const std::string& text) {
 }
 
 std::string Ending(int exit_code) {
-  if (exit_code <= kSignalBase) return "the run ended with exit code " + std::to_string(exit_code);
-  const int signal = exit_code - kSignalBase;
+  if (exit_code <= ProcessResult::kSignalBase)
+    return "the run ended with exit code " + std::to_string(exit_code);
+  const int signal = exit_code - ProcessResult::kSignalBase;
   const char* name = strsignal(signal);
   return "the run was ended by signal " + std::to_string(signal) +
          (name == nullptr ? "" : " (" + std::string(name) + ")");

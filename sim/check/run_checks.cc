@@ -70,7 +70,8 @@ Outcome RunOne(const CheckPlan& plan, const CheckItem& item, RunningProcesses* r
     Outcome outcome = ReadOutcome(item.name, item.file, item.run_dir, result, wall.count());
     outcome.robot = item.robot;
     outcome.run_dir = item.run_dir;
-    if (result.exit_code == 128 + SIGKILL && wall.count() > plan.time_limit_s) {
+    if (result.exit_code == ProcessResult::kSignalBase + SIGKILL &&
+        wall.count() > plan.time_limit_s) {
       outcome.reasons.insert(outcome.reasons.begin(), "ERROR: took longer than the time limit");
     }
     return outcome;

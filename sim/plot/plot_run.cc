@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/plot/plot_run.h"
 
-#include <fstream>
-
 #include "models/support/config_error.h"
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
 #include "sim/process/gnuplot.h"
+#include "sim/record/output_file.h"
 #include "sim/record/run_files.h"
 
 namespace sidestep {
 namespace {
-
-void WriteText(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw ConfigError(file.string() + ": error: can't be written");
-}
 
 std::vector<std::string> FilesOf(PlotFiles files) {
   std::vector<std::string> names{std::string("plots/") + plot::kThinnedFile,
@@ -48,11 +40,11 @@ void PlotRun(const std::filesystem::path& run_dir, PlotFiles files) {
   std::filesystem::create_directories(dir, failure);
   if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
   ListRunFiles(run_dir, FilesOf(files));
-  WriteText(dir / plot::kThinnedFile, data.thinned_csv);
-  WriteText(dir / plot::kPhaseFile, data.phase_csv);
+  WriteWholeFile(dir / plot::kThinnedFile, data.thinned_csv);
+  WriteWholeFile(dir / plot::kPhaseFile, data.phase_csv);
   for (const plot::PlotScript& script : plot::AllScripts()) {
     const std::string file = script.name + ".gp";
-    WriteText(dir / file, plot::Preamble(script.name) + script.body(data));
+    WriteWholeFile(dir / file, plot::Preamble(script.name) + script.body(data));
     RunGnuplot({file}, {}, dir);
     if (files == PlotFiles::kSvgAndPng) RunGnuplot({"-e", "format='png'", file}, {}, dir);
   }

@@ -49,7 +49,7 @@ std::string ReadAll(int descriptor) {
 }
 
 int ExitCodeOf(int status) {
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return WIFSIGNALED(status) ? ProcessResult::kSignalBase + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 std::vector<std::string> EnvironmentOf(const ProcessOptions& options) {

@@ -23,7 +23,9 @@ bool SendAll(int socket, const void* data, std::size_t size);
 
 /// How a program ended.
 struct ProcessResult {
-  int exit_code{0};  ///< Its exit status; 128 + signal number if a signal ended it.
+  static constexpr int kSignalBase = 128;
+
+  int exit_code{0};  ///< Its exit status; kSignalBase + signal number if a signal ended it.
   std::string out;   ///< What it wrote to standard output.
   std::string err;   ///< What it wrote to standard error.
 };
