@@ -143,6 +143,7 @@ std::string MotionChain::LastProblemJson(const std::string& name) const {
   if (dcm_) return {};
   nlohmann::json problem = mpc::ToJson(mpc_.problem());
   problem["name"] = name;
+  problem["solver"] = mpc::SolverSetupToJson(mpc_.problem(), mpc_.solver_setup());
   return problem.dump(1) + "\n";
 }
 

@@ -13,12 +13,15 @@ CentroidalMpc::CentroidalMpc(const MpcParams& params, const RobotModel& robot, d
     : tick_s_(tick_s),
       latency_ticks_(TickAt(params.latency_s, tick_s)),
       plan_memory_s_(params.plan_memory_s),
+      backend_(params.backend),
+      options_{params.tolerance, params.max_iterations},
       builder_(params, robot, tick_s),
-      solver_(MakeSolver(params.backend, {params.tolerance, params.max_iterations})) {}
+      solver_(MakeSolver(backend_, options_)) {}
 
 void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
                           const GridReferences& references, Tick tick) {
   const MpcSolution* guess = Pose(state, plan, references, tick);
+  began_cold_ = guess == nullptr;
   const MpcSolution& solution = solver_->Solve(builder_.ocp(), guess);
   report_ = {true,
              solution.status,
@@ -28,6 +31,12 @@ void CentroidalMpc::Solve(const RobotState& state, const ContactPlan& plan,
              solution.kkt_error,
              !IsUsable(solution.status)};
   if (IsUsable(solution.status)) StorePlan(builder_.ocp(), solution);
+}
+
+SolverSetup CentroidalMpc::solver_setup() const {
+  SolverSetup setup{backend_, options_, std::nullopt};
+  if (!began_cold_) setup.guess = guess_;
+  return setup;
 }
 
 double CentroidalMpc::CostOf(const RobotState& state, const ContactPlan& plan,

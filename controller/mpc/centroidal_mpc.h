@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "controller/mpc/problem/centroidal_solver.h"
+#include "controller/mpc/problem/solver_setup.h"
 #include "controller/mpc/problem_builder.h"
 #include "controller/types/control_tick.h"
 #include "models/support/clone_ptr.h"
@@ -56,6 +57,9 @@ class CentroidalMpc {
   /// The last problem, for dumps.
   const CentroidalOcp& problem() const { return builder_.ocp(); }
 
+  /// How Solve() went about the last problem, for dumps.
+  SolverSetup solver_setup() const;
+
  private:
   /// A solution with the problem and the instant it belongs to.
   struct Plan {
@@ -89,6 +93,8 @@ class CentroidalMpc {
   double tick_s_;
   Tick latency_ticks_;
   double plan_memory_s_;
+  MpcBackend backend_;
+  SolverOptions options_;
   ProblemBuilder builder_;
   ClonePtr<CentroidalSolver> solver_;
   std::deque<Plan> plans_;            // as many as are in use or waiting at once; never move
@@ -96,6 +102,7 @@ class CentroidalMpc {
   std::size_t newest_{kNone};         // of plans_: last usable solution, the next warm start
   std::size_t active_{kNone};         // of plans_: in use
   MpcSolution guess_;
+  bool began_cold_{true};  // the last Solve()
   MpcReport report_;
 };
 

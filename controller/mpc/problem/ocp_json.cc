@@ -197,7 +197,7 @@ CentroidalOcp OcpFromJson(const json& document) {
   root.RequireKeys(
       {"name", "step_s", "knots", "mass_kg", "gravity_m_s2", "initial", "reference", "weights",
        "external_force_N", "external_torque_Nm", "friction_A", "friction_b", "contacts"},
-      {"description", "first_step_s", "foot_load_limit_N", "solution"});
+      {"description", "first_step_s", "foot_load_limit_N", "solution", "solver"});
   CentroidalOcp ocp;
   ocp.name = root["name"].String();
   if (root.Has("description")) {

@@ -84,6 +84,20 @@ void ReadContact(const JsonNode& node, const OcpContact& contact, ContactSolutio
   ReadForces(node["forces_N"], contact, part);
 }
 
+void ReadTrajectories(const JsonNode& root, const CentroidalOcp& ocp, MpcSolution* solution) {
+  const auto num_states = static_cast<std::size_t>(ocp.knots) + 1;
+  solution->p_WC = root["com_m"].Columns3(num_states);
+  solution->linear_momentum = root["linear_momentum"].Columns3(num_states);
+  solution->angular_momentum = root["angular_momentum"].Columns3(num_states);
+  const JsonNode contacts = root["contacts"];
+  if (contacts.ArraySize() != ocp.contacts.size()) {
+    contacts.Fail("an array of " + std::to_string(ocp.contacts.size()) + " contacts");
+  }
+  for (std::size_t i = 0; i < ocp.contacts.size(); ++i) {
+    ReadContact(contacts[i], ocp.contacts[i], &solution->contacts[i]);
+  }
+}
+
 }  // namespace
 
 json SolutionToJson(const CentroidalOcp& ocp, const MpcSolution& solution) {
@@ -94,10 +108,17 @@ json SolutionToJson(const CentroidalOcp& ocp, const MpcSolution& solution) {
   if (!HasTrajectories(solution.status)) {
     return block;
   }
-  SIDESTEP_REQUIRE(HasShape(ocp, solution), "a solution of other shapes");
+  block.update(TrajectoriesToJson(ocp, solution));
   block["cost"] = solution.cost;
   block["constraint_violation"] = solution.constraint_violation;
   block["kkt_error"] = solution.kkt_error;
+  block["other_minima"] = json::array();
+  return block;
+}
+
+json TrajectoriesToJson(const CentroidalOcp& ocp, const MpcSolution& solution) {
+  SIDESTEP_REQUIRE(HasShape(ocp, solution), "a solution of other shapes");
+  json block;
   block["com_m"] = RowsOf(solution.p_WC);
   block["linear_momentum"] = RowsOf(solution.linear_momentum);
   block["angular_momentum"] = RowsOf(solution.angular_momentum);
@@ -112,7 +133,6 @@ json SolutionToJson(const CentroidalOcp& ocp, const MpcSolution& solution) {
          {"phases", phases},
          {"forces_N", ForcesToJson(ocp.contacts[i], solution.contacts[i])}});
   }
-  block["other_minima"] = json::array();
   return block;
 }
 
@@ -133,17 +153,17 @@ MpcSolution SolutionFromJson(const CentroidalOcp& ocp, const json& block) {
   solution.cost = root["cost"].Number();
   solution.constraint_violation = root["constraint_violation"].Number();
   solution.kkt_error = root["kkt_error"].Number();
-  const auto num_states = static_cast<std::size_t>(ocp.knots) + 1;
-  solution.p_WC = root["com_m"].Columns3(num_states);
-  solution.linear_momentum = root["linear_momentum"].Columns3(num_states);
-  solution.angular_momentum = root["angular_momentum"].Columns3(num_states);
-  const JsonNode contacts = root["contacts"];
-  if (contacts.ArraySize() != ocp.contacts.size()) {
-    contacts.Fail("an array of " + std::to_string(ocp.contacts.size()) + " contacts");
-  }
-  for (std::size_t i = 0; i < ocp.contacts.size(); ++i) {
-    ReadContact(contacts[i], ocp.contacts[i], &solution.contacts[i]);
-  }
+  ReadTrajectories(root, ocp, &solution);
+  return solution;
+}
+
+MpcSolution TrajectoriesFromJson(const CentroidalOcp& ocp, const json& block,
+                                 const std::string& path) {
+  const JsonNode root(block, path);
+  root.RequireKeys({"com_m", "linear_momentum", "angular_momentum", "contacts"});
+  MpcSolution solution;
+  ResetToShape(ocp, &solution);
+  ReadTrajectories(root, ocp, &solution);
   return solution;
 }
 

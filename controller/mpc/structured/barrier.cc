@@ -23,7 +23,7 @@ void StartBoxes(const ProblemView& problem, double push, double barrier, double*
 }
 
 void BuildBoxTerms(const ProblemView& problem, const double* point, const double* gradient,
-                   double barrier, NewtonTerms* terms) {
+                   const double* target, NewtonTerms* terms) {
   for (int i = 0; i < 3 * problem.num_locations; ++i) {
     const int at = problem.at.d + i;
     if (problem.is_free[i] == 0.0) continue;
@@ -31,7 +31,8 @@ void BuildBoxTerms(const ProblemView& problem, const double* point, const double
     const double above = problem.box_upper[i] - point[at];
     terms->box_curvature[i] =
         point[problem.at.lower + i] / below + point[problem.at.upper + i] / above;
-    terms->slope[at] = gradient[at] + barrier / above - barrier / below;
+    terms->slope[at] =
+        gradient[at] + target[problem.at.upper + i] / above - target[problem.at.lower + i] / below;
   }
 }
 
@@ -65,9 +66,9 @@ void StartInside(const ProblemView& problem, double push, double barrier, double
 }
 
 void BuildTerms(const ProblemView& problem, const double* point, const Evaluation& at,
-                const Linearization& linear, double barrier, NewtonTerms* terms) {
+                const Linearization& linear, const double* target, NewtonTerms* terms) {
   for (int i = 0; i < 9 * (problem.knots + 1); ++i) terms->slope[i] = linear.gradient[i];
-  BuildBoxTerms(problem, point, linear.gradient, barrier, terms);
+  BuildBoxTerms(problem, point, linear.gradient, target, terms);
   for (int k = 0; k < problem.knots; ++k) {
     const Stage& stage = problem.stages[k];
     const int n = stage.num_slots, base = problem.num_faces * stage.first_slot;
@@ -81,10 +82,11 @@ void BuildTerms(const ProblemView& problem, const double* point, const Evaluatio
       const double* s = point + problem.at.s + base + r * n;
       const double* z = point + problem.at.z + base + r * n;
       const double* residual = at.residual + base + r * n;
+      const double* aim = target + problem.at.z + base + r * n;
       for (int j = 0; j < n; ++j) {
         const double inverse = 1.0 / s[j];
         const double weight = z[j] * inverse;
-        const double pull = barrier * inverse + weight * residual[j];
+        const double pull = aim[j] * inverse + weight * residual[j];
         const double x = row[j], y = row[n + j], w = row[2 * n + j];
         H[j] += weight * x * x;
         H[n + j] += weight * y * y;
@@ -100,8 +102,14 @@ void BuildTerms(const ProblemView& problem, const double* point, const Evaluatio
   }
 }
 
-void SetTarget(const ProblemView& problem, double barrier, double* target) {
+void SetTarget(const ProblemView& problem, const double* point, double barrier, double damping,
+               double* target) {
   Fill(target + problem.at.z, problem.at.size - problem.at.z, barrier);
+  if (damping == 0.0) return;
+  const int num_faces = problem.num_faces * problem.num_slots;
+  for (int i = 0; i < num_faces; ++i) {
+    target[problem.at.z + i] = barrier * (1.0 - damping * point[problem.at.s + i]);
+  }
 }
 
 void BuildCorrection(const ProblemView& problem, const double* point, const double* affine,
@@ -208,11 +216,13 @@ StepLimits LimitSteps(const ProblemView& problem, const double* point, const dou
 }
 
 double BarrierSlope(const ProblemView& problem, const double* point, const double* direction,
-                    const double* gradient, double barrier) {
+                    const double* gradient, double barrier, double damping) {
   double slope = 0.0;
   for (int i = 9; i < problem.at.s; ++i) slope += gradient[i] * direction[i];
   double logs = 0.0;
-  for (int i = problem.at.s; i < problem.at.z; ++i) logs += direction[i] / point[i];
+  for (int i = problem.at.s; i < problem.at.z; ++i) {
+    logs += direction[i] / point[i] - damping * direction[i];
+  }
   for (int i = 0; i < 3 * problem.num_locations; ++i) {
     if (problem.is_free[i] == 0.0) continue;
     const double d = point[problem.at.d + i], step = direction[problem.at.d + i];

@@ -21,12 +21,14 @@ namespace SIDESTEP_ISA {
 /// to the middle of their box, and sets the multipliers to barrier / distance.
 void StartInside(const ProblemView& problem, double push, double barrier, double* point);
 
-/// Sets all targets to one value.
-void SetTarget(const ProblemView& problem, double barrier, double* target);
+/// What the products of slacks and multipliers aim at: the barrier, and for the friction rows
+/// barrier (1 - damping slack), so that forces which nothing holds don't run away.
+void SetTarget(const ProblemView& problem, const double* point, double barrier, double damping,
+               double* target);
 
-/// Fills curvature and slope of the barrier problem.
+/// Fills curvature and slope of the barrier problem with these targets.
 void BuildTerms(const ProblemView& problem, const double* point, const Evaluation& at,
-                const Linearization& linear, double barrier, NewtonTerms* terms);
+                const Linearization& linear, const double* target, NewtonTerms* terms);
 
 /// The slacks' and multipliers' part of the direction. `target`, in a point's order, is what their
 /// products aim at; entries at the slacks are not read.
@@ -47,9 +49,9 @@ double AverageProduct(const ProblemView& problem, const double* point, const dou
 StepLimits LimitSteps(const ProblemView& problem, const double* point, const double* direction,
                       double fraction);
 
-/// Slope of cost - barrier * logs along the direction.
+/// Slope of cost - barrier * (logs - damping * friction rows' slacks) along the direction.
 double BarrierSlope(const ProblemView& problem, const double* point, const double* direction,
-                    const double* gradient, double barrier);
+                    const double* gradient, double barrier, double damping);
 
 /// trial = point + primal * direction in x, u, d, s and dual * direction in the multipliers.
 void TakeStep(const ProblemView& problem, const double* point, const double* direction,

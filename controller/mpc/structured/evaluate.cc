@@ -197,6 +197,8 @@ void Evaluate(const ProblemView& problem, const double* point, Evaluation* out) 
   AddNorms(out->gap, 9 * problem.knots, out);
   AddNorms(out->residual, problem.num_faces * problem.num_slots, out);
   out->log_sum = BarrierSum(problem, point);
+  out->slack_sum = 0.0;
+  for (int i = problem.at.s; i < problem.at.z; ++i) out->slack_sum += point[i];
 }
 
 void RollOut(const ProblemView& problem, double push, double* point) {

@@ -11,6 +11,7 @@ namespace sidestep::mpc::structured {
 struct Evaluation {
   double cost{0.0};
   double log_sum{0.0};           ///< Sum of the logarithms of slacks and distances to boxes.
+  double slack_sum{0.0};         ///< Sum of the friction rows' slacks.
   double infeasibility{0.0};     ///< 1-norm of gaps and residuals.
   double largest_residual{0.0};  ///< Infinity norm of the same.
   double* gap{nullptr};          ///< 9 N: what the dynamics predict minus the next state.

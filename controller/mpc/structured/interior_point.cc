@@ -18,7 +18,8 @@ constexpr double kLargestWarmBarrier = 3e-2;
 constexpr double kPush = 1e-2;        // m/s^2 or m: a start's distance from its bounds.
 constexpr double kLeastSlack = 1e-8;  // m/s^2, after a recovery.
 constexpr int kMaxRecoveries = 8;
-constexpr int kMaxAdaptive = 60;  // Iterations before the barrier falls monotonically.
+constexpr int kMaxAdaptive = 60;     // Iterations before the barrier falls monotonically.
+constexpr double kLostFactor = 1e2;  // By which a step that has lost its way adds infeasibility.
 // When only the cost is asked for: how well the dynamics are kept, and the share of the cost that
 // the bounds' products may still take from it. A cost that, less these products, is above the
 // ceiling so often in a row is taken for too dear.
@@ -41,6 +42,7 @@ constexpr double kValueShare = 1e-8;           // gamma_phi.
 constexpr double kArmijo = 1e-4;               // eta_phi.
 constexpr double kSlopePower = 2.3;            // s_phi.
 constexpr double kInfeasibilityPower = 1.1;    // s_theta.
+constexpr double kDamping = 1e-5;              // kappa_d, of slacks without an upper bound.
 constexpr double kRounding = 1e-13;            // Of a value that a step may leave as it is.
 constexpr int kMaxHalvings = 25;               // Of a step, before the search is given up.
 // Shift of the diagonal (delta_w): the first, the least of later ones, and how it moves. Ours
@@ -51,6 +53,10 @@ constexpr double kShiftDecrease = 3.0;         // 1 / kappa_w^-.
 constexpr double kFirstShiftIncrease = 100.0;  // kappa_w^+ bar.
 constexpr double kShiftIncrease = 8.0;         // kappa_w^+.
 constexpr int kMaxShifts = 40;
+// Of a patient solve: the least shift, and which steps went too far for the next to be longer.
+constexpr double kLeastPatientShift = 1e-6;
+constexpr double kFarFactor = 10.0;  // By which they add infeasibility.
+constexpr int kMaxEasyHalvings = 2;
 
 class Minimizer {
  public:
@@ -68,13 +74,24 @@ class Minimizer {
   bool FactorizeShifted();
   void Correct();
   bool SearchLine();
+  void AdaptShift(int halvings);
   bool Recover();
   bool IsAcceptable(double step, double slope, double infeasibility, double value);
   void ResetFilter();
   void Start();
   void Accept(const StepLimits& step);
   double LeastBarrier() const { return settings_.tolerance / kLeastBarrierDivisor; }
-  double Value(const Evaluation& at) const { return at.cost - barrier_ * at.log_sum; }
+  double Value(const Evaluation& at) const {
+    return at.cost - barrier_ * (at.log_sum - Damping() * at.slack_sum);
+  }
+  double Damping() const { return settings_.is_patient ? kDamping : 0.0; }
+  double LeastShift() const {
+    return settings_.is_patient ? Max(kLeastPatientShift, last_shift_ / kShiftDecrease) : 0.0;
+  }
+  bool HasLostItsWay(double infeasibility_before) const {
+    return settings_.is_wary &&
+           work_.now.infeasibility > Max(1.0, kLostFactor * infeasibility_before);
+  }
 
   const ProblemView& problem_;
   const Settings& settings_;
@@ -135,7 +152,7 @@ void Minimizer::LowerBarrier() {
 // Factorises with the least shift of the diagonal that makes every pivot positive.
 bool Minimizer::FactorizeShifted() {
   work_.newton.is_exact = settings_.is_exact;
-  shift_ = 0.0;
+  shift_ = LeastShift();
   for (int attempt = 0; attempt < kMaxShifts; ++attempt) {
     work_.newton.shift = shift_;
     if (Factorize(problem_, work_.now, work_.linear, work_.newton)) {
@@ -153,10 +170,10 @@ bool Minimizer::FactorizeShifted() {
 
 bool Minimizer::FindDirection() {
   const double barrier = is_adaptive_ ? 0.0 : barrier_;
-  BuildTerms(problem_, work_.point, work_.now, work_.linear, barrier, &work_.newton);
+  SetTarget(problem_, work_.point, barrier, Damping(), work_.target);
+  BuildTerms(problem_, work_.point, work_.now, work_.linear, work_.target, &work_.newton);
   if (!FactorizeShifted()) return false;
   SolveForward(problem_, work_.newton, false, work_.direction);
-  SetTarget(problem_, barrier, work_.target);
   CompleteDirection(problem_, work_.point, work_.now, work_.target, work_.direction);
   if (is_adaptive_) Correct();
   return true;
@@ -214,14 +231,23 @@ void Minimizer::Accept([[maybe_unused]] const StepLimits& step) {
   Linearize(problem_, work_.point, &work_.linear);
 }
 
+// A patient solve's shift grows where a step led far from the linear model that it came from.
+void Minimizer::AdaptShift(int halvings) {
+  const double small = kSmallInfeasibility * Max(1.0, first_infeasibility_);
+  const bool is_far = work_.next.infeasibility > kFarFactor * Max(work_.now.infeasibility, small);
+  last_shift_ = shift_;
+  if (halvings > kMaxEasyHalvings || is_far) last_shift_ *= kShiftIncrease * kShiftDecrease;
+}
+
 bool Minimizer::SearchLine() {
   StepLimits step = LimitSteps(problem_, work_.point, work_.direction, fraction_);
-  const double slope =
-      BarrierSlope(problem_, work_.point, work_.direction, work_.linear.gradient, barrier_);
+  const double slope = BarrierSlope(problem_, work_.point, work_.direction, work_.linear.gradient,
+                                    barrier_, Damping());
   for (int halvings = 0; halvings < kMaxHalvings; ++halvings) {
     TakeStep(problem_, work_.point, work_.direction, step, work_.trial);
     Evaluate(problem_, work_.trial, &work_.next);
     if (IsAcceptable(step.primal, slope, work_.next.infeasibility, Value(work_.next))) {
+      if (settings_.is_patient) AdaptShift(halvings);
       Accept(step);
       return true;
     }
@@ -262,9 +288,13 @@ void Minimizer::Start() {
 
 Summary Minimizer::Run() {
   Summary summary;
-  is_adaptive_ = settings_.is_adaptive;
+  is_adaptive_ = settings_.is_adaptive && !settings_.is_patient;
   Start();
+  if (settings_.is_patient) last_shift_ = kFirstShift;
   first_infeasibility_ = work_.now.infeasibility;
+  for (int i = 9; i < problem_.at.s; ++i) {
+    summary.first_slope = Max(summary.first_slope, Abs(work_.linear.gradient[i]));
+  }
   ResetFilter();
   for (;; ++summary.iterations) {
     summary.kkt_error = KktError(0.0);
@@ -277,17 +307,21 @@ Summary Minimizer::Run() {
       summary.outcome = Outcome::kTooDear;
       return summary;
     }
-    if (summary.iterations == settings_.max_iterations) {
-      summary.outcome = Outcome::kIterationLimit;
-      return summary;
-    }
     if (is_adaptive_ && summary.iterations == kMaxAdaptive) {
       is_adaptive_ = false;
       barrier_ = Max(barrier_, AverageProduct(problem_, work_.point, work_.direction, {0.0, 0.0}));
       ResetFilter();
     }
+    if (summary.iterations == settings_.max_iterations) {
+      summary.outcome = Outcome::kIterationLimit;
+      return summary;
+    }
     if (!is_adaptive_) LowerBarrier();
-    if (FindDirection() && SearchLine()) continue;
+    const double infeasibility = work_.now.infeasibility;
+    if (FindDirection() && SearchLine()) {
+      if (HasLostItsWay(infeasibility)) break;
+      continue;
+    }
     if (summary.kkt_error <= kAcceptable || !Recover()) break;
   }
   summary.outcome = summary.kkt_error <= kAcceptable ? Outcome::kAcceptable : Outcome::kStuck;

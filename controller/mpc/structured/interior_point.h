@@ -19,7 +19,12 @@ struct Settings {
   int max_iterations{200};
   bool is_warm{false};     ///< The start is a guess, not a cold start.
   bool is_adaptive{true};  ///< Predictor and corrector instead of a monotone barrier.
-  bool is_exact{true};     ///< Second derivatives of the dynamics included.
+  bool is_wary{
+      false};  ///< Ends as stuck after a step that leads astray, as where the cost is flat.
+  /// For where the cost is flat: a damped barrier that falls monotonically, and steps kept short by
+  /// a shift. Takes longer.
+  bool is_patient{false};
+  bool is_exact{true};  ///< Second derivatives of the dynamics included.
 };
 
 struct Summary {
@@ -27,6 +32,7 @@ struct Summary {
   int iterations{0};
   double cost{0.0};
   double kkt_error{0.0};
+  double first_slope{0.0};  ///< Largest entry of the cost's gradient at the start.
 };
 
 /// Memory of a solve, sized for the problem by its owner.

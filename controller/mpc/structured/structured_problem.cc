@@ -263,4 +263,14 @@ void StructuredProblem::FillVectors(const CentroidalOcp& ocp) {
   }
 }
 
+void StructuredProblem::ScaleCost(double factor) {
+  view_.weight_leg *= factor;
+  view_.weight_load *= factor;
+  for (double* weights : {view_.weight_com, view_.weight_momentum, view_.weight_symmetry,
+                          view_.weight_rate, view_.weight_new}) {
+    for (int a = 0; a < 3; ++a) weights[a] *= factor;
+  }
+  for (std::size_t i = 0; i < 9 * locations_.size(); ++i) location_hessian_[i] *= factor;
+}
+
 }  // namespace sidestep::mpc::structured

@@ -22,6 +22,9 @@ class StructuredProblem {
   /// Lays out `ocp`, whose shapes and numbers must have passed CheckShapes() and IsFinite().
   void Build(const CentroidalOcp& ocp);
 
+  /// Multiplies the cost, until the next Build().
+  void ScaleCost(double factor);
+
   const ProblemView& view() const { return view_; }
 
   /// The point of `guess`, whose shapes must be the problem's; slacks and multipliers untouched.

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "controller/mpc/problem/feasibility.h"
 #include "controller/mpc/problem/solution_shape.h"
-#include "controller/mpc/structured/force_limits.h"
 #include "controller/mpc/structured/interior_point.h"
 #include "controller/mpc/structured/minimize.h"
 #include "controller/mpc/structured/structured_memory.h"
@@ -19,8 +19,9 @@ namespace {
 using structured::Outcome;
 using structured::ProblemView;
 
-constexpr int kMaxWarmIterations = 50;    // Then a cold start; good guesses take up to 15.
-constexpr double kForceTolerance = 1e-9;  // Relative: below what the optimum is compared at.
+constexpr int kMaxWarmIterations = 50;      // Then a cold start; good guesses take up to 15.
+constexpr int kMaxPatientIterations = 450;  // Half of a generous limit.
+constexpr double kLargestSlope = 100.0;     // Of a patient solve's cost, as Ipopt scales it.
 
 class StructuredSolver final : public CentroidalSolver {
  public:
@@ -33,11 +34,15 @@ class StructuredSolver final : public CentroidalSolver {
   }
 
  private:
-  structured::Settings SettingsOf(bool is_warm, int max_iterations) const;
+  structured::Settings SettingsOf(int max_iterations) const;
   structured::Summary Minimize(const CentroidalOcp& ocp, const MpcSolution& start,
                                const structured::Settings& settings);
-  int WarmIterations() const { return std::min(options_.max_iterations, kMaxWarmIterations); }
   void Optimise(const CentroidalOcp& ocp, const MpcSolution* guess);
+  /// Whether a solve is neither done nor out of iterations.
+  bool IsOpen(const structured::Summary& summary) const;
+  /// Starts again, cold, with the iterations that are left.
+  void Resume(const CentroidalOcp& ocp, structured::Settings settings,
+              structured::Summary* summary);
   void Report(const CentroidalOcp& ocp, const structured::Summary& summary);
 
   SolverOptions options_;
@@ -50,23 +55,6 @@ class StructuredSolver final : public CentroidalSolver {
 
 bool IsDone(const structured::Summary& summary) {
   return summary.outcome == Outcome::kSolved || summary.outcome == Outcome::kAcceptable;
-}
-
-bool HasActiveContact(const CentroidalOcp& ocp) {
-  return std::any_of(ocp.contacts.begin(), ocp.contacts.end(), [&](const OcpContact& contact) {
-    return std::any_of(contact.phases.begin(), contact.phases.end(),
-                       [&](const ContactPhase& phase) {
-                         return phase.first_knot < ocp.knots && phase.end_knot > 0;
-                       });
-  });
-}
-
-// The dynamics can always be followed, so that only limits without inside make a problem
-// infeasible.
-bool IsInfeasible(const CentroidalOcp& ocp) {
-  return HasEmptyBox(ocp) ||
-         (HasActiveContact(ocp) &&
-          !structured::HasFeasibleForce(ocp.friction_A, ocp.friction_b, kForceTolerance));
 }
 
 const MpcSolution& StructuredSolver::Solve(const CentroidalOcp& ocp, const MpcSolution* guess) {
@@ -96,7 +84,8 @@ double StructuredSolver::Weigh(const CentroidalOcp& ocp, const MpcSolution* gues
   problem_.Build(ocp);
   memory_.Take(problem_.view(), &workspace_);
   structured::Settings settings =
-      SettingsOf(is_warm, is_warm ? WarmIterations() : options_.max_iterations);
+      SettingsOf(is_warm ? kMaxWarmIterations : options_.max_iterations);
+  settings.is_warm = is_warm;
   settings.is_rough = true;
   settings.ceiling = ceiling;
   const structured::Summary summary = Minimize(ocp, is_warm ? *guess : start_, settings);
@@ -104,11 +93,10 @@ double StructuredSolver::Weigh(const CentroidalOcp& ocp, const MpcSolution* gues
                                                     : std::numeric_limits<double>::infinity();
 }
 
-structured::Settings StructuredSolver::SettingsOf(bool is_warm, int max_iterations) const {
+structured::Settings StructuredSolver::SettingsOf(int max_iterations) const {
   structured::Settings settings;
   settings.tolerance = options_.tolerance;
-  settings.max_iterations = max_iterations;
-  settings.is_warm = is_warm;
+  settings.max_iterations = std::min(options_.max_iterations, max_iterations);
   return settings;
 }
 
@@ -118,22 +106,47 @@ structured::Summary StructuredSolver::Minimize(const CentroidalOcp& ocp, const M
   return structured::Minimize(problem_.view(), settings, &workspace_);
 }
 
+// A guess that leads nowhere is worse than none. From a cold start, where the cost hardly cares (no
+// weight on the CoM or the momentum), the barrier alone decides, and the fast way overshoots: it
+// stops there for the patient one, and comes back if that fails too.
 void StructuredSolver::Optimise(const CentroidalOcp& ocp, const MpcSolution* guess) {
   problem_.Build(ocp);
   memory_.Take(problem_.view(), &workspace_);
   structured::Summary summary;
   if (guess != nullptr) {
-    summary = Minimize(ocp, *guess, SettingsOf(true, WarmIterations()));
+    structured::Settings warm = SettingsOf(kMaxWarmIterations);
+    warm.is_warm = true;
+    summary = Minimize(ocp, *guess, warm);
   }
-  // A guess that leads nowhere is worse than none.
-  const bool is_done = IsDone(summary) || summary.iterations >= options_.max_iterations;
-  if (guess == nullptr || !is_done) {
-    const int spent = summary.iterations;
+  if (guess == nullptr || IsOpen(summary)) {
     ColdStart(ocp, &start_);
-    summary = Minimize(ocp, start_, SettingsOf(false, options_.max_iterations - spent));
-    summary.iterations += spent;
+    structured::Settings wary = SettingsOf(options_.max_iterations);
+    wary.is_wary = true;
+    Resume(ocp, wary, &summary);
   }
+  if (IsOpen(summary)) {
+    structured::Settings patient = SettingsOf(kMaxPatientIterations);
+    patient.is_patient = true;
+    const double scale = kLargestSlope / std::max(kLargestSlope, summary.first_slope);
+    problem_.ScaleCost(scale);
+    Resume(ocp, patient, &summary);
+    problem_.ScaleCost(1.0 / scale);
+    summary.cost /= scale;
+  }
+  if (IsOpen(summary)) Resume(ocp, SettingsOf(options_.max_iterations), &summary);
   Report(ocp, summary);
+}
+
+bool StructuredSolver::IsOpen(const structured::Summary& summary) const {
+  return !IsDone(summary) && summary.iterations < options_.max_iterations;
+}
+
+void StructuredSolver::Resume(const CentroidalOcp& ocp, structured::Settings settings,
+                              structured::Summary* summary) {
+  const int spent = summary->iterations;
+  settings.max_iterations = std::min(settings.max_iterations, options_.max_iterations - spent);
+  *summary = Minimize(ocp, start_, settings);
+  summary->iterations += spent;
 }
 
 void StructuredSolver::Report(const CentroidalOcp& ocp, const structured::Summary& summary) {

@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "controller/mpc/make_solver.h"
+#include "controller/mpc/problem/feasibility.h"
 #include "controller/mpc/problem/ocp_json.h"
+#include "controller/mpc/problem/solver_setup.h"
 #include "controller/types/mpc_params.h"
 #include "models/support/config_error.h"
 #include "models/support/json_text.h"
@@ -22,12 +25,15 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// What is not given is the file's, or the default.
 struct SolveArguments {
   std::filesystem::path problem;
-  MpcBackend backend{MpcBackend::kIpopt};
+  std::optional<MpcBackend> backend;
+  std::optional<double> tolerance;
+  std::optional<int> max_iterations;
+  bool is_cold{false};
   int repeat{1};
   std::filesystem::path out;
-  mpc::SolverOptions options;
 };
 
 Json ReadProblem(const std::filesystem::path& file) {
@@ -36,14 +42,30 @@ Json ReadProblem(const std::filesystem::path& file) {
   return problem;
 }
 
-mpc::CentroidalOcp OcpOf(Json problem, const std::filesystem::path& file) {
+/// A problem of a file and how it is to be solved.
+struct Task {
+  mpc::CentroidalOcp ocp;
+  mpc::SolverSetup setup;
+};
+
+Task TaskOf(Json problem, const SolveArguments& arguments) {
   // What an earlier solve added is no part of the problem.
   for (const char* key : {"solution", "solve_time_ms", "iterations"}) problem.erase(key);
+  Task task;
   try {
-    return mpc::OcpFromJson(problem);
+    task.ocp = mpc::OcpFromJson(problem);
+    if (problem.contains("solver")) {
+      task.setup = mpc::SolverSetupFromJson(task.ocp, problem["solver"]);
+    }
   } catch (const ConfigError& error) {
-    throw ConfigError(file.string() + ": error: " + error.what());
+    throw ConfigError(arguments.problem.string() + ": error: " + error.what());
   }
+  mpc::SolverSetup& setup = task.setup;
+  setup.backend = arguments.backend.value_or(setup.backend);
+  setup.options.tolerance = arguments.tolerance.value_or(setup.options.tolerance);
+  setup.options.max_iterations = arguments.max_iterations.value_or(setup.options.max_iterations);
+  if (arguments.is_cold) setup.guess.reset();
+  return task;
 }
 
 std::vector<std::string> BackendNames() {
@@ -68,13 +90,14 @@ double Quantile(const std::vector<double>& sorted, double q) {
 
 int Solve(const SolveArguments& arguments) {
   Json document = ReadProblem(arguments.problem);
-  const mpc::CentroidalOcp ocp = OcpOf(document, arguments.problem);
-  const auto solver = mpc::MakeSolver(arguments.backend, arguments.options);
+  const auto [ocp, setup] = TaskOf(document, arguments);
+  const auto solver = mpc::MakeSolver(setup.backend, setup.options);
+  const mpc::MpcSolution* guess = setup.guess ? &*setup.guess : nullptr;
   mpc::MpcSolution solution;
   std::vector<double> times_ms;
   for (int i = 0; i < arguments.repeat; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const mpc::MpcSolution& answer = solver->Solve(ocp, nullptr);
+    const mpc::MpcSolution& answer = solver->Solve(ocp, guess);
     times_ms.push_back(
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
             .count());
@@ -92,8 +115,12 @@ int Solve(const SolveArguments& arguments) {
   if (!arguments.out.empty()) WriteTextFile(arguments.out, document.dump(1) + "\n");
   std::printf("%s: %s", arguments.problem.c_str(), EnumName(solution.status).data());
   if (IsUsable(solution.status)) std::printf(", cost %.9g", solution.cost);
-  std::printf(", %d iterations, median %.2f ms of %d\n", solution.iterations,
-              times["median"].get<double>(), arguments.repeat);
+  if (solution.status == SolveStatus::kInfeasible) {
+    std::printf(" (%s)", mpc::Infeasibility(ocp).c_str());
+  }
+  std::printf(", %d iterations%s, median %.2f ms of %d (%s)\n", solution.iterations,
+              guess != nullptr ? " from the file's guess" : "", times["median"].get<double>(),
+              arguments.repeat, EnumName(setup.backend).data());
   return IsUsable(solution.status) ? kExitPass : kExitFail;
 }
 
@@ -107,20 +134,22 @@ void AddSolveCommand(CLI::App& app, int& exit_code) {
       ->add_option_function<std::string>(
           "--backend",
           [arguments](const std::string& name) { arguments->backend = BackendCalled(name); },
-          "Solver")
-      ->check(CLI::IsMember(BackendNames()))
-      ->default_str(std::string(EnumName(arguments->backend)));
-  command->add_option("--repeat", arguments->repeat, "Cold solves, for the times")
+          "Solver; default: the file's, or " + std::string(EnumName(mpc::SolverSetup{}.backend)))
+      ->check(CLI::IsMember(BackendNames()));
+  command->add_flag("--cold", arguments->is_cold, "Don't begin from the file's guess");
+  command->add_option("--repeat", arguments->repeat, "Solves, all alike, for the times")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option("-o,--out", arguments->out, "Write the problem with its solution")
       ->type_name("FILE");
-  command->add_option("--tolerance", arguments->options.tolerance, "Of the optimality conditions")
-      ->check(CLI::Range(1e-14, 1e-1))
-      ->capture_default_str();
-  command->add_option("--max-iterations", arguments->options.max_iterations, "Limit of iterations")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "Of the optimality conditions; default: the file's, or 1e-8")
+      ->check(CLI::Range(1e-14, 1e-1));
+  command
+      ->add_option("--max-iterations", arguments->max_iterations,
+                   "Limit of iterations; default: the file's, or 200")
+      ->check(CLI::Range(1, 1000000));
   command->callback([arguments, &exit_code] { exit_code = Solve(*arguments); });
 }
 

@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "controller/make_stages.h"
+#include "controller/mpc/make_solver.h"
+#include "controller/mpc/problem/ocp_json.h"
+#include "controller/mpc/problem/solver_setup.h"
 #include "tests/unit/controller/two_soles.h"
 
 namespace sidestep::motion_chain_test {
@@ -95,6 +98,27 @@ TEST(MotionChainTest, ProblemOfASolveWithinAKnotHasItsOtherKnotsOnTheGait) {
   const auto& phases = problem.at("contacts").at(0).at("phases");
   EXPECT_EQ(phases.at(0).at("end_knot"), 2);
   EXPECT_EQ(phases.at(1).at("first_knot"), 8);
+}
+
+TEST(MotionChainTest, ADumpedProblemSolvesAgainAsItDidInTheLoop) {
+  for (const int max_iterations : {100, 2}) {  // the second fails, and must fail again
+    ControllerSetup setup = Walker();
+    setup.control.mpc.backend = MpcBackend::kStructured;
+    setup.control.mpc.max_iterations = max_iterations;
+    Chain chain(setup);
+    const ControlTick told = chain.RunTo(150, {0.3, 0.1, 0.0});
+    ASSERT_TRUE(told.mpc.ran);
+    nlohmann::json document = nlohmann::json::parse(chain.chain().LastProblemJson("again"));
+    const mpc::CentroidalOcp ocp = mpc::OcpFromJson(document);
+    const mpc::SolverSetup how = mpc::SolverSetupFromJson(ocp, document.at("solver"));
+    EXPECT_EQ(how.guess.has_value(), max_iterations == 100) << "nothing to begin from but answers";
+    const auto solver = mpc::MakeSolver(how.backend, how.options);
+    const auto& again = solver->Solve(ocp, how.guess ? &*how.guess : nullptr);
+    EXPECT_EQ(again.status, told.mpc.status);
+    EXPECT_EQ(again.status == SolveStatus::kIterationLimit, max_iterations == 2);
+    EXPECT_EQ(again.iterations, told.mpc.iterations);
+    EXPECT_EQ(again.cost, told.mpc.cost);
+  }
 }
 
 TEST(MotionChainTest, ReferencesAreSampledAtTheKnots) {

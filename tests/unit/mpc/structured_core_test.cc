@@ -10,7 +10,6 @@
 #include "controller/mpc/problem/solution_shape.h"
 #include "controller/mpc/structured/filter.h"
 #include "controller/mpc/structured/foot_load.h"
-#include "controller/mpc/structured/force_limits.h"
 #include "controller/mpc/structured/minimize.h"
 #include "controller/mpc/structured/structured_memory.h"
 #include "controller/mpc/structured/structured_problem.h"
@@ -33,7 +32,8 @@ struct RandomPoint {
     }
     baseline::Evaluate(view, work.point, &work.now);
     baseline::Linearize(view, work.point, &work.linear);
-    baseline::BuildTerms(view, work.point, work.now, work.linear, 0.1, &work.newton);
+    baseline::SetTarget(view, work.point, 0.1, 0.0, work.target);
+    baseline::BuildTerms(view, work.point, work.now, work.linear, work.target, &work.newton);
   }
 
   CentroidalOcp ocp;
@@ -370,23 +370,53 @@ TEST(StructuredCoreTest, TheChosenMethodBeatsTheOthersOnIterationsAndAgreesOnThe
   EXPECT_LT(chosen_sum, convex_sum);
 }
 
-TEST(ForceLimitsTest, ConesBandsAndContradictions) {
-  Eigen::MatrixX3d A(6, 3);
-  A << 1, 1, -0.5, -1, 1, -0.5, -1, -1, -0.5, 1, -1, -0.5, 0, 0, -1, 0, 0, 1;
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(6);
-  EXPECT_TRUE(HasFeasibleForce(A.topRows(4), b.head(4), 1e-9)) << "a cone's apex is inside";
-  b(4) = -80.0;  // At least 80 N.
-  b(5) = 100.0;  // At most 100 N.
-  EXPECT_TRUE(HasFeasibleForce(A, b, 1e-9));
-  b(5) = 80.0;
-  EXPECT_TRUE(HasFeasibleForce(A, b, 1e-9)) << "exactly 80 N";
-  b(5) = 79.9;
-  EXPECT_FALSE(HasFeasibleForce(A, b, 1e-9));
-  b << -1, -1, -1, -1, -80, 1e6;  // Inside the cone with a margin.
-  EXPECT_TRUE(HasFeasibleForce(A, b, 1e-9));
-  b << -200, 0, -200, 0, 0, 100;  // Two opposite faces that leave 400 N between them missing.
-  EXPECT_FALSE(HasFeasibleForce(A, b, 1e-9));
-  EXPECT_TRUE(HasFeasibleForce(Eigen::MatrixX3d(0, 3), Eigen::VectorXd(0), 1e-9));
+// The damping's derivative, with everything else of the barrier function.
+TEST(StructuredCoreTest, SlopeOfTheDampedBarrierIsThatOfFiniteDifferences) {
+  constexpr double kBarrier = 0.3, kDamping = 0.7, kStep = 1e-6;
+  RandomPoint at(ReferenceProblem("icub_yawed_step_up_tilted"));
+  const ProblemView& view = at.laid_out.view();
+  Numbers numbers(5);
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(view.at.size);
+  for (int i = 9; i < view.at.z; ++i) direction(i) = numbers.Next();
+  for (int i = 0; i < 3 * view.num_locations; ++i) {
+    if (view.is_free[i] == 0.0) direction(view.at.d + i) = 0.0;
+  }
+  const auto value_at = [&](double step) {
+    for (int i = 9; i < view.at.z; ++i) at.work.point[i] += step * direction(i);
+    Evaluation& now = at.work.next;
+    baseline::Evaluate(view, at.work.point, &now);
+    for (int i = 9; i < view.at.z; ++i) at.work.point[i] -= step * direction(i);
+    return now.cost - kBarrier * (now.log_sum - kDamping * now.slack_sum);
+  };
+  const double slope = baseline::BarrierSlope(view, at.work.point, direction.data(),
+                                              at.work.linear.gradient, kBarrier, kDamping);
+  const double difference = (value_at(kStep) - value_at(-kStep)) / (2.0 * kStep);
+  EXPECT_NEAR(slope, difference, 1e-6 * std::max(1.0, std::abs(slope)));
+}
+
+TEST(StructuredCoreTest, DampedTargetsAreWhereTheDampedBarrierIsStationaryInTheSlacks) {
+  RandomPoint at(ReferenceProblem("icub_nominal_just_landed"));
+  const ProblemView& view = at.laid_out.view();
+  baseline::SetTarget(view, at.work.point, 0.5, 0.2, at.work.target);
+  for (int i = 0; i < view.at.z - view.at.s; ++i) {  // z = mu / s - mu damping, times s
+    EXPECT_DOUBLE_EQ(at.work.target[view.at.z + i], 0.5 - 0.1 * at.work.point[view.at.s + i]);
+  }
+  for (int i = view.at.lower; i < view.at.size; ++i) EXPECT_EQ(at.work.target[i], 0.5);
+}
+
+TEST(StructuredCoreTest, AScaledCostIsThatManyTimesTheCost) {
+  for (const char* name : {"icub_yawed_step_up_tilted", "biped_walk_to_run"}) {
+    CentroidalOcp ocp = ReferenceProblem(name);
+    ocp.weights.leg_length = 3.0;  // each weight takes part
+    ocp.weights.foot_load = 2.0;
+    ocp.foot_load_limit_N = 1.0;
+    for (OcpContact& contact : ocp.contacts) contact.leg = {Eigen::Vector3d::Zero(), 0.1};
+    RandomPoint at(ocp);
+    const double cost = at.work.now.cost;
+    at.laid_out.ScaleCost(0.25);
+    baseline::Evaluate(at.laid_out.view(), at.work.point, &at.work.now);
+    EXPECT_DOUBLE_EQ(at.work.now.cost, 0.25 * cost);
+  }
 }
 
 TEST(FilterTest, RefusesWhatIsNoBetterInEitherMeasure) {
