@@ -2,9 +2,13 @@
 #include "models/support/config_error.h"
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 namespace sidestep {
 namespace {
+
+constexpr std::size_t kMostMessages = 50;
 
 std::string InOneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -29,5 +33,27 @@ ConfigError::ConfigError(const std::string& file, int line, int column, const st
 
 ConfigError::ConfigError(const std::vector<std::string>& messages)
     : std::runtime_error(LinesOf(messages)) {}
+
+std::vector<std::string> ConfigError::messages() const {
+  std::vector<std::string> lines;
+  std::istringstream text(what());
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+void Mistakes::Add(const ConfigError& error) {
+  for (std::string& message : error.messages()) messages_.push_back(std::move(message));
+}
+
+void Mistakes::Throw() const {
+  if (messages_.empty()) return;
+  std::vector<std::string> told(
+      messages_.begin(),
+      messages_.begin() + static_cast<std::ptrdiff_t>(std::min(messages_.size(), kMostMessages)));
+  if (told.size() < messages_.size()) {
+    told.push_back("and " + std::to_string(messages_.size() - told.size()) + " more");
+  }
+  throw ConfigError(told);
+}
 
 }  // namespace sidestep

@@ -20,6 +20,33 @@ class ConfigError : public std::runtime_error {
 
   /// Complete messages of all that is wrong, at least one. Each takes a line, whatever is in it.
   explicit ConfigError(const std::vector<std::string>& messages);
+
+  /// What is told, a line each.
+  std::vector<std::string> messages() const;
+};
+
+/// All that is wrong with a file, to be told at once.
+class Mistakes {
+ public:
+  /// Does what may throw a ConfigError, and keeps it. @return  Whether nothing was wrong.
+  template <typename Action>
+  bool Try(Action&& action) {
+    try {
+      action();
+      return true;
+    } catch (const ConfigError& error) {
+      Add(error);
+      return false;
+    }
+  }
+
+  void Add(const ConfigError& error);
+
+  /// Throws what was kept, if anything: of very many the first, and how many more there are.
+  void Throw() const;
+
+ private:
+  std::vector<std::string> messages_;
 };
 
 }  // namespace sidestep

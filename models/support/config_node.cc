@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "models/support/config_error.h"
 #include "models/support/nearest_name.h"
 #include "models/support/plain_word.h"
 
@@ -180,6 +181,7 @@ ConfigNode ConfigMap::Required(const std::string& key) {
   for (const ConfigKey& other : tree_->keys) {
     if (std::find(known_.begin(), known_.end(), other.text) != known_.end()) continue;
     if (NearestName(other.text, wanted).empty()) continue;
+    known_.push_back(other.text);  // told here, and not again as unknown
     FailAtKey(other.text, "is not a known key; did you mean '" + key + "'?");
   }
   FailAt(tree_->place, PathOf(key) + " is missing (required)");
@@ -199,10 +201,14 @@ std::vector<std::string> ConfigMap::Keys() const {
 }
 
 void ConfigMap::RejectUnknownKeys() const {
+  Mistakes mistakes;
   for (const ConfigKey& key : tree_->keys) {
     if (std::find(known_.begin(), known_.end(), key.text) != known_.end()) continue;
-    FailAtKey(key.text, "is not a known key; " + DidYouMean(key.text, known_, "known keys"));
+    mistakes.Try([&] {
+      FailAtKey(key.text, "is not a known key; " + DidYouMean(key.text, known_, "known keys"));
+    });
   }
+  mistakes.Throw();
 }
 
 void ConfigMap::FailAtKey(const std::string& key, const std::string& what) const {

@@ -82,7 +82,7 @@ class ConfigMap {
   /// Every key of a map whose keys are names, in the file's order.
   std::vector<std::string> Keys() const;
 
-  /// Call after the last read: throws on the first key that nobody asked for.
+  /// Call after the last read: throws on keys that nobody asked for, all of them.
   void RejectUnknownKeys() const;
 
   /// Throws ConfigError at the place of the key itself, which must be present.

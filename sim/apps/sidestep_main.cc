@@ -100,9 +100,11 @@ int RunCommandLine(int argc, char** argv) {
     PrintError("sidestep: error: ", std::string(error.what()) + " (see --help)");
     return kExitBadInput;
   }
+  errno = 0;
   const bool is_said = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_said || HasLostItsReader(STDOUT_FILENO) || exit_code != kExitPass) return exit_code;
-  PrintError("sidestep: error: ", "standard output can't be written");
+  PrintError("sidestep: error: ", std::string("standard output can't be written") +
+                                      (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
   return kExitBadInput;
 }
 

@@ -59,6 +59,7 @@ Outcome RunOne(const CheckPlan& plan, const CheckItem& item, RunningProcesses* r
   argv.insert(argv.end(), plan.arguments.begin(), plan.arguments.end());
   const auto start = std::chrono::steady_clock::now();
   try {
+    if (plan.clear) plan.clear(item.run_dir);
     ProcessOptions options;
     options.time_limit_s = plan.time_limit_s;
     Process process(argv, options);
@@ -70,8 +71,7 @@ Outcome RunOne(const CheckPlan& plan, const CheckItem& item, RunningProcesses* r
     Outcome outcome = ReadOutcome(item.name, item.file, item.run_dir, result, wall.count());
     outcome.robot = item.robot;
     outcome.run_dir = item.run_dir;
-    if (result.exit_code == ProcessResult::kSignalBase + SIGKILL &&
-        wall.count() > plan.time_limit_s) {
+    if (outcome.verdict == VerdictClass::kInvalid && wall.count() > plan.time_limit_s) {
       outcome.reasons.insert(outcome.reasons.begin(), "ERROR: took longer than the time limit");
     }
     return outcome;

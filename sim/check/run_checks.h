@@ -30,6 +30,8 @@ struct CheckPlan {
   std::vector<std::string> arguments;  ///< Passed to every `run` after its own.
   int jobs{1};                         ///< Processes at once, >= 1.
   double time_limit_s{std::numeric_limits<double>::infinity()};  ///< Of each, on the wall.
+  /// Called before a run starts: takes away what an earlier one left in its folder, or throws.
+  std::function<void(const std::filesystem::path& run_dir)> clear{};
 };
 
 /// Told of every outcome as it arrives; never called twice at once.
@@ -37,7 +39,8 @@ using CheckListener = std::function<void(const Outcome& outcome, std::size_t num
 
 /// Runs all items; the outcomes are in the items' order. Once `stop` returns true no further run is
 /// started, and those in progress are told to end (SIGTERM) and waited for. What was not started is
-/// INVALID with reason INTERRUPTED; a run that takes longer than its limit is killed and INVALID.
+/// INVALID with reason INTERRUPTED; a run that takes longer than its limit is told to end, and is
+/// INVALID unless its verdict stood already and only its pictures took so long.
 /// `stop` is called from several threads.
 std::vector<Outcome> RunChecks(const CheckPlan& plan, const std::function<bool()>& stop,
                                const CheckListener& listener);

@@ -27,8 +27,10 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options,
     const StageTime whole = ClockReading::Now().Since(start);
     const RunTime took{1e-3 * whole.wall_ms, 1e-3 * whole.cpu_ms};
     const RunOutcome outcome = episode.judge.Conclude();
+    const RunResult result{outcome.verdict, options.out_dir, episode.time_s(), took};
+    if (options.on_verdict) options.on_verdict(result);
     recorder.Finish(outcome, episode.time_s(), took);
-    return RunResult{outcome.verdict, options.out_dir, episode.time_s(), took};
+    return result;
   };
   try {
     RunEpisode(&episode, {&recorder, &dump, options.progress});

@@ -4,6 +4,7 @@
 // which are drawn from the folder).
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,19 +14,21 @@
 
 namespace sidestep {
 
+struct RunResult {
+  Verdict verdict;
+  std::filesystem::path out_dir;
+  double simulated_s{0.0};
+  RunTime took{};
+};
+
 /// Where and how a run is recorded; none of it changes the run.
 struct RunOptions {
   std::filesystem::path out_dir;     ///< Created if need be; see Recorder for what it holds.
   std::vector<std::string> command;  ///< The program's arguments, for summary.json.
   bool dump_every_problem{false};    ///< Not only failed MPC problems; see ProblemDump.
   EpisodeProgress progress;          ///< May be empty.
-};
-
-struct RunResult {
-  Verdict verdict;
-  std::filesystem::path out_dir;
-  double simulated_s{0.0};
-  RunTime took{};
+  /// Told once the run is judged, before the last files are written, which may fail. May be empty.
+  std::function<void(const RunResult& result)> on_verdict{};
 };
 
 /// Runs and judges. Throws ConfigError if a file can't be written or the robot does not compile.

@@ -26,6 +26,7 @@ namespace sidestep {
 namespace {
 
 constexpr std::size_t kQuotedBytes = 800;  ///< How much of a stderr goes into a message.
+constexpr std::chrono::seconds kGrace{5};  // From being told to end to being killed.
 constexpr int kPollPeriod_ms = 20;         ///< How late an interrupt may be seen.
 
 // What a tool may know: where things are, not how somebody likes them.
@@ -86,7 +87,7 @@ class Process::Patience {
     if ((socket.revents & POLLHUP) != 0 && events == 0) {
       poll(nullptr, 0, 1);  // it has let go of its input and is about to end
     }
-    if (Clock::now() > process_.killed_at_) kill(process_.pid_, SIGKILL);
+    process_.KeepTimeLimit();
     if (!process_.options_.is_tool) return;
     const std::chrono::duration<double> idle = Clock::now() - last_sign_;
     if (!InterruptRequested() && idle.count() <= process_.options_.patience_s) return;
@@ -117,7 +118,7 @@ bool SendAll(int socket, const void* data, std::size_t size) {
 Process::Process(const std::vector<std::string>& argv, ProcessOptions options)
     : options_(std::move(options)) {
   constexpr double kForever_s = 1e8;  // a clock's count overflows later
-  killed_at_ += std::chrono::duration_cast<Clock::duration>(
+  ends_at_ += std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(std::min(options_.time_limit_s, kForever_s)));
   SIDESTEP_REQUIRE(!argv.empty(), argv.size());
   program_ = argv.front();
@@ -142,6 +143,13 @@ Process::Process(const std::vector<std::string>& argv, ProcessOptions options)
 Process::~Process() {
   Kill();
   for (int* descriptor : {&input_, &output_, &error_}) CloseIfOpen(descriptor);
+}
+
+void Process::KeepTimeLimit() {
+  if (Clock::now() <= ends_at_) return;
+  kill(pid_, was_told_to_end_ ? SIGKILL : SIGTERM);
+  was_told_to_end_ = true;
+  ends_at_ = Clock::now() + kGrace;
 }
 
 void Process::Kill() {

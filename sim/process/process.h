@@ -39,7 +39,8 @@ struct ProcessOptions {
   /// kills it, and so does `patience_s`.
   bool is_tool{false};
   double patience_s{120.0};  ///< Of a tool: the longest that it may take no input, or not end.
-  double time_limit_s{std::numeric_limits<double>::infinity()};  ///< Killed when it takes longer.
+  /// When it takes longer it gets SIGTERM, and is killed a little later.
+  double time_limit_s{std::numeric_limits<double>::infinity()};
 };
 
 /// A tool's.
@@ -78,10 +79,12 @@ class Process {
   using Clock = std::chrono::steady_clock;
   class Patience;
   void Kill();
+  void KeepTimeLimit();
 
   std::string program_;
   ProcessOptions options_;
-  Clock::time_point killed_at_{Clock::now()};
+  Clock::time_point ends_at_{Clock::now()};
+  bool was_told_to_end_{false};
   pid_t pid_{-1};
   int input_{-1};
   int output_{-1};

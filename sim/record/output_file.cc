@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
-[[noreturn]] void Fail(const std::filesystem::path& file) {
+}  // namespace
+
+void FailToWrite(const std::filesystem::path& file) {
   const std::string why = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
   throw ConfigError(file.string() + ": error: can't be written" + why);
 }
-
-}  // namespace
 
 void AppendNumber(std::string& text, double value) {
   std::array<char, 32> digits;  // the longest shortest double has 24 characters
@@ -31,7 +31,7 @@ void AppendNumber(std::string& text, double value) {
 OutputFile::OutputFile(const std::filesystem::path& file) : file_(file) {
   errno = 0;
   out_.open(file_, std::ios::binary | std::ios::trunc);
-  if (!out_) Fail(file_);
+  if (!out_) FailToWrite(file_);
 }
 
 OutputFile::OutputFile(const std::filesystem::path& file, const OutputFile& start)
@@ -43,7 +43,7 @@ OutputFile::OutputFile(const std::filesystem::path& file, const OutputFile& star
     throw ConfigError(start.file_.string() + ": error: was changed while the run wrote it");
   }
   out_.open(file_, std::ios::binary | std::ios::app);
-  if (!out_) Fail(file_);
+  if (!out_) FailToWrite(file_);
 }
 
 OutputFile::~OutputFile() {
@@ -60,7 +60,7 @@ void OutputFile::Flush() {
   errno = 0;
   out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   out_.flush();
-  if (!out_) Fail(file_);
+  if (!out_) FailToWrite(file_);
   bytes_on_disk_ += buffer_.size();
   buffer_.clear();
 }
@@ -68,16 +68,23 @@ void OutputFile::Flush() {
 void OutputFile::Close() {
   Flush();
   out_.close();
-  if (!out_) Fail(file_);
+  if (!out_) FailToWrite(file_);
 }
 
 void WriteWholeFile(const std::filesystem::path& file, std::string_view text) {
   std::filesystem::path part = file;
   part += ".part";
-  OutputFile out(part);
-  out.Append(text);
-  out.Close();
+  errno = 0;
+  std::ofstream out(part, std::ios::binary | std::ios::trunc);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
   std::error_code error;
+  if (!out) {
+    const int reason = errno;
+    std::filesystem::remove(part, error);  // it would keep a full disk full
+    errno = reason;
+    FailToWrite(file);
+  }
   std::filesystem::rename(part, file, error);
   if (error) throw ConfigError(file.string() + ": error: can't be written: " + error.message());
 }

@@ -13,6 +13,9 @@ namespace sidestep {
 /// Appends the shortest decimal that reads back as the same double ("nan", "inf" as such).
 void AppendNumber(std::string& text, double value);
 
+/// Throws ConfigError: `file: error: can't be written`, with what errno says.
+[[noreturn]] void FailToWrite(const std::filesystem::path& file);
+
 /// A file that grows by whole rows: what is on disk ends with a complete one, unless the disk is
 /// full. Every member but the destructor throws ConfigError naming file and reason if it can't be
 /// written.

@@ -2,11 +2,12 @@
 #include "sim/record/run_files.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <set>
 #include <system_error>
 
-#include "models/support/config_error.h"
+#include "sim/record/output_file.h"
 
 namespace sidestep {
 namespace {
@@ -56,9 +57,10 @@ void ListRunFiles(const fs::path& run_dir, const std::vector<std::string>& names
   if (text.empty()) return;
   std::error_code ignored;
   const bool is_new = !fs::exists(file) || fs::file_size(file, ignored) == 0;
+  errno = 0;
   std::ofstream out(file, std::ios::app | std::ios::binary);
   out << (is_new ? std::string(kHead) + "\n" : "") << text << std::flush;
-  if (!out) throw ConfigError(file.string() + ": error: can't be written");
+  if (!out) FailToWrite(file);
 }
 
 void RemoveListedRunFiles(const fs::path& run_dir) {

@@ -43,9 +43,11 @@ void DrawSpan(const Recording& recording, mjModel* model, const RenderOptions& o
   video.Finish();
 }
 
-// Waits for all; throws the first error, or Interrupted, which ends the others on the way out.
-void Await(const std::vector<std::unique_ptr<SegmentProcess>>& processes, int frames,
-           const std::function<void(double)>& on_progress) {
+using SegmentProcesses = std::vector<std::unique_ptr<SegmentProcess>>;
+
+// Waits for all. Throws the first error, or Interrupted.
+void AwaitAll(const SegmentProcesses& processes, int frames,
+              const std::function<void(double)>& on_progress) {
   std::vector<pollfd> waiting;
   for (const auto& process : processes) {
     waiting.push_back({process->report_descriptor(), POLLIN, 0});
@@ -66,6 +68,17 @@ void Await(const std::vector<std::unique_ptr<SegmentProcess>>& processes, int fr
   }
 }
 
+// As AwaitAll(), and ends all at once when one fails: one after the other they would go on drawing.
+void Await(const SegmentProcesses& processes, int frames,
+           const std::function<void(double)>& on_progress) {
+  try {
+    AwaitAll(processes, frames, on_progress);
+  } catch (...) {
+    for (const auto& process : processes) process->Kill();
+    throw;
+  }
+}
+
 }  // namespace
 
 void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
@@ -74,7 +87,7 @@ void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions
   const int frames = FrameCount(recording.log, options.fps);
   const ScratchDir scratch(mp4);
   std::vector<std::filesystem::path> parts;
-  std::vector<std::unique_ptr<SegmentProcess>> processes;
+  SegmentProcesses processes;
   for (const FrameSpan& span : SplitFrames(frames, options.jobs)) {
     const std::filesystem::path part =
         scratch.path() / ("part" + std::to_string(parts.size()) + ".mkv");
@@ -91,7 +104,7 @@ void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions
 void RenderFrames(const Recording& recording, mjModel* model, const RenderOptions& options,
                   const std::vector<TimedPicture>& pictures) {
   CheckOptions(options);
-  std::vector<std::unique_ptr<SegmentProcess>> processes;
+  SegmentProcesses processes;
   processes.push_back(std::make_unique<SegmentProcess>([&](const auto& report_frame) {
     SceneRenderer renderer(model, options);
     for (const TimedPicture& picture : pictures) {

@@ -8,7 +8,7 @@
 namespace sidestep::render {
 
 /// A folder beside the file that is being made, on the same disk; removed with all that is in it
-/// when it goes out of scope.
+/// when it goes out of scope. Making one also removes those that killed processes have left there.
 class ScratchDir {
  public:
   /// Makes the folder, and those above it. @throws ConfigError if it can't be made.
@@ -25,6 +25,7 @@ class ScratchDir {
 
  private:
   std::filesystem::path path_;
+  int lock_{-1};  // A descriptor; while it is open, the folder is in use.
 };
 
 }  // namespace sidestep::render

@@ -70,10 +70,14 @@ SegmentProcess::SegmentProcess(const std::function<void(const std::function<void
   }
 }
 
+void SegmentProcess::Kill() {
+  if (pid_ > 0) kill(pid_, SIGKILL);
+}
+
 SegmentProcess::~SegmentProcess() {
   close(report_);
   if (pid_ <= 0) return;
-  kill(pid_, SIGKILL);
+  Kill();
   while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }

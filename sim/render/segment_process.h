@@ -23,6 +23,9 @@ class SegmentProcess {
   /// Kills the child if it still runs, and waits for it.
   ~SegmentProcess();
 
+  /// Kills the child, without waiting for it: of several, all at once.
+  void Kill();
+
   /// Descriptor to poll: readable when there is something for ReadReports().
   int report_descriptor() const { return report_; }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/render/video_file.h"
 
+#include <cerrno>
 #include <fstream>
 #include <string>
 
 #include "models/support/config_error.h"
+#include "sim/record/output_file.h"
 
 namespace sidestep::render {
 namespace {
@@ -53,13 +55,14 @@ void VideoWriter::Finish() {
 void JoinVideos(const std::vector<std::filesystem::path>& parts,
                 const std::filesystem::path& scratch_dir, const std::filesystem::path& mp4) {
   const std::filesystem::path list = scratch_dir / "parts.txt";
+  errno = 0;
   std::ofstream out(list);
   // Names relative to the list, and of our making: nothing to quote.
   for (const std::filesystem::path& part : parts) {
     out << "file '" << part.filename().string() << "'\n";
   }
   out.close();
-  if (!out) throw ConfigError(list.string() + ": error: can't be written");
+  if (!out) FailToWrite(list);
   RunTool({"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "concat",
            "-safe", "0", "-i", FileOperand(list), "-c", "copy", "-movflags", "+faststart", "-f",
            "mp4", FileOperand(mp4)});

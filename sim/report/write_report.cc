@@ -5,6 +5,7 @@
 #include <string>
 
 #include "models/support/config_error.h"
+#include "sim/record/output_file.h"
 #include "sim/record/run_files.h"
 #include "sim/report/html.h"
 #include "sim/report/report_sections.h"
@@ -39,13 +40,7 @@ void WriteReport(const std::vector<std::filesystem::path>& run_dirs,
   if (out_html.parent_path() == run_dirs.front()) {
     ListRunFiles(run_dirs.front(), {out_html.filename().string()});
   }
-  const std::filesystem::path partial = out_html.string() + ".partial";
-  std::ofstream out(partial, std::ios::binary);
-  out << page;
-  out.close();
-  std::error_code failure;
-  if (out) std::filesystem::rename(partial, out_html, failure);
-  if (!out || failure) throw ConfigError(out_html.string() + ": error: can't be written");
+  WriteWholeFile(out_html, page);
 }
 
 }  // namespace sidestep

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "controller/types/field.h"
+#include "models/support/config_error.h"
 #include "models/support/config_node.h"
 #include "sim/scenario/scenario.h"
 
@@ -108,7 +109,11 @@ class FieldReader {
     const std::optional<ConfigNode> node = Find(key, meaning);
     if (!node) return;
     field.clear();
-    for (const ConfigNode& element : node->List()) ReadFields(element, field.emplace_back());
+    Mistakes mistakes;
+    for (const ConfigNode& element : node->List()) {
+      mistakes.Try([&] { ReadFields(element, field.emplace_back()); });
+    }
+    mistakes.Throw();
   }
 
   /// Truth values, texts, enums by name; anything else is a struct with fields of its own and is
@@ -151,14 +156,30 @@ class FieldReader {
   ConfigMap* map_;
 };
 
+/// A FieldReader that goes on after a mistake, and keeps it.
+class PatientFieldReader {
+ public:
+  PatientFieldReader(ConfigMap* map, Mistakes* mistakes) : reader_(map), mistakes_(mistakes) {}
+
+  template <typename T, typename... Rest>
+  void operator()(const char* key, T& field, const Rest&... rest) {
+    mistakes_->Try([&] { reader_(key, field, rest...); });
+  }
+
+ private:
+  FieldReader reader_;
+  Mistakes* mistakes_;
+};
+
 /// Reads a map into `value`, whose fields' present values are the defaults. Throws ConfigError on
-/// a wrong type, a value out of range or an unknown key, at its place.
+/// wrong types, values out of range and unknown keys, all of them, each at its place.
 template <typename T>
 void ReadFields(const ConfigNode& node, T& value) {
   ConfigMap map = node.Map();
-  FieldReader reader(&map);
-  T::VisitFields(value, reader);
-  map.RejectUnknownKeys();
+  Mistakes mistakes;
+  T::VisitFields(value, PatientFieldReader(&map, &mistakes));
+  mistakes.Try([&] { map.RejectUnknownKeys(); });
+  mistakes.Throw();
 }
 
 }  // namespace sidestep

@@ -36,6 +36,15 @@ void ReadVersion(ConfigMap& map) {
   }
 }
 
+// The mode that a scenario's control asks for. A mistake in it is told where the section is read.
+ControlMode AskedMode(const ConfigNode& control, ControlMode otherwise) {
+  ControlMode mode = otherwise;
+  Mistakes().Try([&] {
+    if (const auto asked = control.Map().Optional("mode")) mode = ReadEnum<ControlMode>(*asked);
+  });
+  return mode;
+}
+
 // Gains belong to a robot: the `control` block of its robot.yaml stands before the scenario's, and
 // `control_torque` between them where the robot is driven by torques. `scenario`: its control, or
 // nothing.
@@ -46,12 +55,10 @@ void ReadRobotControl(const std::filesystem::path& robot_file,
   RenameOldKeys(&root, note);
   ConfigMap map(root, "");
   if (const auto defaults = map.Optional("control")) ReadFields(*defaults, *control);
-  ControlParams asked;
-  asked.mode = control->mode;
-  if (scenario) ReadFields(*scenario, asked);
+  const ControlMode mode = scenario ? AskedMode(*scenario, control->mode) : control->mode;
   ControlParams on_torques = *control;  // read in any mode: a mistake in it is one
   if (const auto defaults = map.Optional("control_torque")) ReadFields(*defaults, on_torques);
-  if (asked.mode == ControlMode::kTorque) *control = on_torques;
+  if (mode == ControlMode::kTorque) *control = on_torques;
 }
 
 void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
@@ -71,38 +78,46 @@ void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
   if (mode == ControlMode::kPosition && !has_joints) mode = ControlParams().mode;
 }
 
-void ReadBasics(ConfigMap& map, Scenario* scenario) {
-  ScenarioBasics::VisitFields(*scenario, FieldReader(&map));
-  map.Required("name").Word();  // it becomes a folder's
+void ReadBasics(ConfigMap& map, Scenario* scenario, Mistakes* mistakes) {
+  ScenarioBasics::VisitFields(*scenario, PatientFieldReader(&map, mistakes));
+  if (const auto name = map.Optional("name")) {
+    mistakes->Try([&] { name->Word(); });  // it becomes a folder's
+  }
 }
 
-/// Reads the sections: structs as they are, and what files spell in a form of its own.
+/// Reads the sections: structs as they are, and what files spell in a form of its own. Goes on
+/// after mistakes.
 class SectionReader {
  public:
-  SectionReader(ConfigMap* map, const RobotDescription* robot, std::vector<PushEntry>* pushes)
-      : map_(map), robot_(robot), pushes_(pushes) {}
+  SectionReader(ConfigMap* map, const RobotDescription* robot, std::vector<PushEntry>* pushes,
+                Mistakes* mistakes)
+      : map_(map), robot_(robot), pushes_(pushes), mistakes_(mistakes) {}
 
   template <typename T>
   void operator()(const char* key, T& section, Meaning /*meaning*/) {
-    if (const auto node = map_->Optional(key)) ReadFields(*node, section);
+    if (const auto node = map_->Optional(key)) {
+      mistakes_->Try([&] { Read(*node, &section); });
+    }
   }
   void operator()(const char* key, std::vector<GaitParams>& gaits, Meaning /*meaning*/) {
-    gaits = ReadGaits(map_->Optional(key), *robot_);
-  }
-  void operator()(const char* key, std::vector<Push>& /*pushes*/, Meaning /*meaning*/) {
-    if (const auto node = map_->Optional(key)) *pushes_ = ReadPushes(*node);
-  }
-  void operator()(const char* key, std::vector<Expectation>& expect, Meaning /*meaning*/) {
-    if (const auto node = map_->Optional(key)) expect = ReadExpectations(*node);
-  }
-  void operator()(const char* key, VideoParams& video, Meaning /*meaning*/) {
-    if (const auto node = map_->Optional(key)) video = ReadVideo(*node);
+    mistakes_->Try([&] { gaits = ReadGaits(map_->Optional(key), *robot_); });
   }
 
  private:
+  template <typename T>
+  void Read(const ConfigNode& node, T* section) {
+    ReadFields(node, *section);
+  }
+  void Read(const ConfigNode& node, std::vector<Push>* /*pushes*/) { *pushes_ = ReadPushes(node); }
+  void Read(const ConfigNode& node, std::vector<Expectation>* expect) {
+    *expect = ReadExpectations(node);
+  }
+  void Read(const ConfigNode& node, VideoParams* video) { *video = ReadVideo(node); }
+
   ConfigMap* map_;
   const RobotDescription* robot_;
   std::vector<PushEntry>* pushes_;  ///< What they come to, only the whole scenario tells.
+  Mistakes* mistakes_;
 };
 
 /// `file` is empty of a scenario that has none.
@@ -117,11 +132,16 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
   scenario.file = file;
   RejectSweep(root);
   ReadVersion(map);
-  ReadBasics(map, &scenario);
-  ReadRobot(map.Required("robot"), map.Optional("control"), note, read_robot, &scenario);
+  Mistakes mistakes;
+  ReadBasics(map, &scenario, &mistakes);
+  const auto robot = map.Optional("robot");
+  if (robot && robot->tree().kind == ConfigKind::kScalar) {
+    mistakes.Try([&] { ReadRobot(*robot, map.Optional("control"), note, read_robot, &scenario); });
+  }
   std::vector<PushEntry> pushes;
-  Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot, &pushes));
-  map.RejectUnknownKeys();
+  Scenario::VisitSections(scenario, SectionReader(&map, &scenario.robot, &pushes, &mistakes));
+  mistakes.Try([&] { map.RejectUnknownKeys(); });
+  mistakes.Throw();  // what fits together is a question of what is right by itself
   CheckMotion(scenario, root);
   WarnOfServos(scenario, note);
   scenario.pushes = ResolvePushes(pushes, scenario, root);

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "models/support/config_error.h"
 #include "models/support/nearest_name.h"
 #include "sim/scenario/read_fields.h"
 #include "sim/verdict/metrics.h"
@@ -72,10 +73,12 @@ void CheckStart(const PushEntry& entry, ConfigMap& map) {
 PushEntry ReadPush(const ConfigNode& node) {
   ConfigMap map = node.Map();
   PushEntry entry;
-  PushEntry::VisitFields(entry, FieldReader(&map));
-  CheckForce(entry, map, node);
-  CheckStart(entry, map);
-  map.RejectUnknownKeys();
+  Mistakes mistakes;
+  PushEntry::VisitFields(entry, PatientFieldReader(&map, &mistakes));
+  mistakes.Try([&] { CheckForce(entry, map, node); });
+  mistakes.Try([&] { CheckStart(entry, map); });
+  mistakes.Try([&] { map.RejectUnknownKeys(); });
+  mistakes.Throw();
   return entry;
 }
 
@@ -123,24 +126,36 @@ std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node,
   if (node->tree().kind == ConfigKind::kMap) return {ReadGait(*node, defaults)};
   if (node->tree().kind != ConfigKind::kList) node->Fail("must be a map of keys or a list of them");
   std::vector<GaitParams> gaits;
-  for (const ConfigNode& element : node->List()) gaits.push_back(ReadGait(element, defaults));
+  Mistakes mistakes;
+  for (const ConfigNode& element : node->List()) {
+    mistakes.Try([&] { gaits.push_back(ReadGait(element, defaults)); });
+  }
+  mistakes.Throw();
   if (gaits.empty()) node->Fail("must hold at least one gait");
   return gaits;
 }
 
 std::vector<PushEntry> ReadPushes(const ConfigNode& node) {
   std::vector<PushEntry> pushes;
-  for (const ConfigNode& element : node.List()) pushes.push_back(ReadPush(element));
+  Mistakes mistakes;
+  for (const ConfigNode& element : node.List()) {
+    mistakes.Try([&] { pushes.push_back(ReadPush(element)); });
+  }
+  mistakes.Throw();
   return pushes;
 }
 
 std::vector<Expectation> ReadExpectations(const ConfigNode& node) {
   ConfigMap map = node.Map();
   std::vector<Expectation> expectations;
+  Mistakes mistakes;
   for (const std::string& name : map.Keys()) {
-    const MetricInfo& metric = ReadMetric(map, name);
-    expectations.push_back(ReadExpectation(map.Required(name), metric));
+    mistakes.Try([&] {
+      const MetricInfo& metric = ReadMetric(map, name);
+      expectations.push_back(ReadExpectation(map.Required(name), metric));
+    });
   }
+  mistakes.Throw();
   return expectations;
 }
 

@@ -149,8 +149,7 @@ void ReadVersion(ConfigMap* map) {
   }
 }
 
-void ReadNames(const std::filesystem::path& file, ConfigMap* map, SweepSpec* spec) {
-  spec->name = map->Required("name").Word();
+void ReadScenarioName(const std::filesystem::path& file, ConfigMap* map, SweepSpec* spec) {
   const ConfigNode scenario = map->Required("scenario");
   try {
     spec->scenario = AbsoluteScenario(scenario.Text(), file.parent_path());
@@ -163,29 +162,39 @@ void ReadNames(const std::filesystem::path& file, ConfigMap* map, SweepSpec* spe
 void ReadAxes(const ConfigNode& node, SweepSpec* spec) {
   const ConfigTree& axes = node.tree();
   if (axes.kind != ConfigKind::kMap) node.Fail("must be a map from keys to their values");
+  Mistakes mistakes;
   for (std::size_t i = 0; i < axes.keys.size(); ++i) {
-    CheckKey(axes.keys[i].text, axes.keys[i].place);
-    AddAxis(ReadAxis(axes.keys[i].text, axes.children[i]), axes.keys[i].place, spec);
+    const ConfigKey& key = axes.keys[i];
+    mistakes.Try([&] {
+      CheckKey(key.text, key.place);
+      AddAxis(ReadAxis(key.text, axes.children[i]), key.place, spec);
+    });
   }
+  mistakes.Throw();
 }
 
 SweepSpec ReadSweepFile(const std::filesystem::path& file, const ConfigTree& root) {
   ConfigMap map(root, "");
   SweepSpec spec;
   ReadVersion(&map);
-  ReadNames(file, &map, &spec);
-  if (const auto set = map.Optional("set")) spec.set = ReadAssignments(set->tree(), "set");
-  if (const auto vary = map.Optional("vary")) ReadAxes(*vary, &spec);
-  if (const auto limit = map.Optional("limit")) ReadLimit(*limit, &spec);
-  if (const auto given = map.Optional("controllers")) {
-    spec.controllers = ReadControllers(given->tree());
-  }
-  if (const auto seeds = map.Optional("seeds")) spec.seeds = ReadSeeds(*seeds);
-  if (const auto seed = map.Optional("sample_seed")) {
+  Mistakes mistakes;
+  mistakes.Try([&] { spec.name = map.Required("name").Word(); });
+  mistakes.Try([&] { ReadScenarioName(file, &map, &spec); });
+  const auto read = [&](const char* key, const auto& reader) {
+    if (const auto node = map.Optional(key)) mistakes.Try([&] { reader(*node); });
+  };
+  read("set", [&](const ConfigNode& node) { spec.set = ReadAssignments(node.tree(), "set"); });
+  read("vary", [&](const ConfigNode& node) { ReadAxes(node, &spec); });
+  read("limit", [&](const ConfigNode& node) { ReadLimit(node, &spec); });
+  read("controllers",
+       [&](const ConfigNode& node) { spec.controllers = ReadControllers(node.tree()); });
+  read("seeds", [&](const ConfigNode& node) { spec.seeds = ReadSeeds(node); });
+  read("sample_seed", [&](const ConfigNode& node) {
     spec.sample_seed =
-        static_cast<std::uint64_t>(seed->Integer(0, std::numeric_limits<std::int64_t>::max()));
-  }
-  map.RejectUnknownKeys();
+        static_cast<std::uint64_t>(node.Integer(0, std::numeric_limits<std::int64_t>::max()));
+  });
+  mistakes.Try([&] { map.RejectUnknownKeys(); });
+  mistakes.Throw();
   return spec;
 }
 

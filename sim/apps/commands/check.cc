@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "models/support/config_error.h"
+#include "models/support/parse_number.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
@@ -46,11 +49,14 @@ struct CheckArguments {
   std::vector<std::string> overrides;
 };
 
+bool MayReplace(const CheckArguments& arguments) {
+  return arguments.is_forced || !arguments.has_out_dir;
+}
+
 // Reads every scenario before any runs. Prints what is wrong; false if anything is.
 bool PlanItems(const CheckArguments& arguments, std::vector<CheckItem>* items) {
   bool is_good = true;
   std::map<std::string, std::filesystem::path> file_of_name;
-  const bool may_replace = arguments.is_forced || !arguments.has_out_dir;
   for (const auto& file : FindScenarios(arguments.paths)) {
     try {
       const Scenario scenario = ReadScenario(file, arguments.overrides, PrintNote);
@@ -62,7 +68,7 @@ bool PlanItems(const CheckArguments& arguments, std::vector<CheckItem>* items) {
                           " has the same name, '" + name + "'");
       }
       items->push_back({name, file, arguments.out_dir / name, scenario.robot_name});
-      CheckOutFolder(items->back().run_dir, may_replace);
+      CheckOutFolder(items->back().run_dir, MayReplace(arguments));
     } catch (const ConfigError& error) {
       std::fprintf(stderr, "%s\n", error.what());
       is_good = false;
@@ -89,6 +95,9 @@ CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) 
   plan.program = ThisProgram();
   plan.jobs = arguments.jobs;
   plan.time_limit_s = arguments.time_limit_s;
+  plan.clear = [may_replace = MayReplace(arguments)](const std::filesystem::path& run_dir) {
+    PrepareOutFolder(run_dir, may_replace);  // a run that dies must not leave an older one's files
+  };
   plan.arguments = {"--jobs", "1", "--plots", arguments.plots};
   if (!arguments.has_video) plan.arguments.push_back("--no-video");
   for (const std::string& override : arguments.overrides) {
@@ -119,12 +128,32 @@ std::vector<Outcome> NotYetRun(const std::vector<CheckItem>& items) {
   return outcomes;
 }
 
+// A report goes to a file that nobody reads here.
+void CheckReportFiles(const CheckArguments& arguments, const std::vector<CheckItem>& items) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const auto is_same = [&](const fs::path& a, const fs::path& b) {
+    return fs::equivalent(a, b, ignored) ||
+           fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+  };
+  for (const fs::path& report : {arguments.junit, arguments.json}) {
+    for (const CheckItem& item : items) {
+      if (report.empty() || !is_same(report, item.file)) continue;
+      throw ConfigError(report.string() + ": error: is a scenario to check, and can't be a report");
+    }
+  }
+  if (!arguments.junit.empty() && is_same(arguments.junit, arguments.json)) {
+    throw ConfigError(arguments.json.string() + ": error: is the JUnit report's file too");
+  }
+}
+
 int Check(const CheckArguments& arguments) {
   std::vector<CheckItem> items;
   if (!PlanItems(arguments, &items)) return kExitBadInput;
   if (items.empty()) {
     throw ConfigError("check: error: no scenario is called '" + arguments.filter + "'");
   }
+  CheckReportFiles(arguments, items);
   const CheckPlan plan = PlanOf(arguments, ShareOf(items, arguments.shard));
   WriteJunit(arguments, NotYetRun(plan.items), 0.0);  // fails now rather than after the runs
 
@@ -145,6 +174,17 @@ int Check(const CheckArguments& arguments) {
               arguments.out_dir.c_str());
   WriteJunit(arguments, outcomes, wall.count());
   return ExitCodeOf(outcomes);
+}
+
+// CLI11's own check for positive numbers takes nan.
+CLI::Validator PositiveSeconds() {
+  const auto what_is_wrong = [](const std::string& text) -> std::string {
+    const std::optional<double> seconds = ParseAs<double>(text);
+    return seconds && *seconds > 0.0 && std::isfinite(*seconds)
+               ? ""
+               : "'" + text + "' is no number of seconds above 0";
+  };
+  return {what_is_wrong, "", "PositiveSeconds"};
 }
 
 }  // namespace
@@ -174,7 +214,7 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
   command
       ->add_option("--timeout", arguments->time_limit_s,
                    "A run that takes longer is ended and INVALID")
-      ->check(CLI::PositiveNumber)
+      ->check(PositiveSeconds())
       ->type_name("S");
   CLI::Option* out =
       command->add_option("-o,--out", arguments->out_dir, "Folder that gets a folder a run")

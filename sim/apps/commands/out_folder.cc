@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "models/support/config_error.h"
+#include "sim/record/output_file.h"
 #include "sim/record/run_files.h"
 
 namespace sidestep {
@@ -98,10 +99,11 @@ void CheckOutFile(const fs::path& file, bool may_replace) {
 void WriteTextFile(const fs::path& file, const std::string& text) {
   std::error_code ignored;  // the write below tells
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+  errno = 0;
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) Refuse(file, "can't be written");
+  if (!out) FailToWrite(file);
 }
 
 }  // namespace sidestep

@@ -7,6 +7,7 @@
 #include <optional>
 #include <thread>
 
+#include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/out_folder.h"
 #include "sim/apps/commands/progress.h"
@@ -35,8 +36,8 @@ struct RunArguments {
   std::vector<std::string> overrides;
 };
 
-RunResult Simulate(const Scenario& scenario, const fs::path& out_dir,
-                   const RunArguments& arguments) {
+void Simulate(const Scenario& scenario, const fs::path& out_dir, const RunArguments& arguments,
+              std::optional<RunResult>* judged) {
   Progress progress(scenario.name, arguments.is_quiet);
   RunOptions options;
   options.out_dir = out_dir;
@@ -47,7 +48,8 @@ RunResult Simulate(const Scenario& scenario, const fs::path& out_dir,
     std::snprintf(detail, sizeof detail, "%.1f of %.1f s simulated", sim_time_s, duration_s);
     progress.Update(sim_time_s / duration_s, detail);
   };
-  return RunScenario(scenario, options);
+  options.on_verdict = [judged](const RunResult& result) { *judged = result; };
+  RunScenario(scenario, options);
 }
 
 void PrintVerdict(const std::string& name, const RunResult& result) {
@@ -61,6 +63,19 @@ void PrintVerdict(const std::string& name, const RunResult& result) {
     std::printf(": %s\n", reason.text.c_str());
   }
   std::fflush(stdout);
+}
+
+// Simulates and tells the verdict, also where the disk no longer takes the files that hold it.
+RunResult Judge(const Scenario& scenario, const fs::path& out_dir, const RunArguments& arguments) {
+  std::optional<RunResult> judged;
+  try {
+    Simulate(scenario, out_dir, arguments, &judged);
+  } catch (const ConfigError&) {
+    if (judged) PrintVerdict(scenario.name, *judged);
+    throw;
+  }
+  PrintVerdict(scenario.name, *judged);
+  return *judged;
 }
 
 // One step of drawing: what it made and how long it took. The verdict stands: what goes wrong is
@@ -108,8 +123,7 @@ int Run(const RunArguments& arguments) {
       (arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir)
           .lexically_normal();
   const OutFolderLock lock = PrepareOutFolder(out_dir, arguments.is_forced);
-  const RunResult result = Simulate(scenario, out_dir, arguments);
-  PrintVerdict(scenario.name, result);
+  const RunResult result = Judge(scenario, out_dir, arguments);
   Draw(scenario, out_dir, result.verdict.verdict_class == VerdictClass::kPass, arguments);
   std::printf("  folder  %s\n", out_dir.c_str());
   return ExitCodeOf(result.verdict.verdict_class);

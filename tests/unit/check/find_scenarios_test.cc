@@ -42,6 +42,22 @@ TEST(FindScenariosTest, SweepsInAFolderAreFoundOnlyWhereTheyAreAskedFor) {
   EXPECT_EQ(FindScenarios({sweep}), Paths{sweep}) << "as given";
 }
 
+TEST(FindScenariosTest, RobotsAndWhatRunsAndSweepsHaveWrittenArePassedOver) {
+  const ScratchFolder folder;
+  const auto scenario = folder.Write("a.yaml", "sidestep: 1\n");
+  folder.Write("robot.yaml", "sidestep_robot: 1\n");
+  folder.Write("renders/a/scenario.yaml", "sidestep: 1\n");
+  folder.Write("renders/a/run_files.txt", "sidestep-run-files 1\n");
+  folder.Write("renders/old/scenario.yaml", "sidestep: 1\n");
+  folder.Write("renders/old/trajectory.csv", "time_s\n");
+  folder.Write("renders/map/sweep.yaml", "sidestep_sweep: 1\n");
+  folder.Write("renders/map/manifest.csv", "");
+  EXPECT_EQ(FindScenarios({folder.path()}, SweepFiles::kFound), Paths{scenario});
+  const auto own = folder.path() / "renders/a/scenario.yaml";
+  EXPECT_EQ(FindScenarios({own}), Paths{own}) << "as given";
+  EXPECT_EQ(FindScenarios({own.parent_path()}), Paths{own}) << "asked for by its folder";
+}
+
 TEST(FindScenariosTest, AMissingPathAndAFolderWithoutScenariosAreErrors) {
   const ScratchFolder folder;
   EXPECT_THROW(FindScenarios({folder.path() / "none.yaml"}), ConfigError);

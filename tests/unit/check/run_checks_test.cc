@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include "models/support/config_error.h"
 #include "tests/unit/check/check_test_support.h"
 
 namespace sidestep::run_checks_test {
@@ -20,6 +21,11 @@ constexpr const char* kScript = R"(#!/bin/sh
 file=$2; dir=$4; mkdir -p "$dir"
 verdict=$(cat "$file")
 [ "$verdict" = HANG ] && exec sleep 60
+if [ "$verdict" = DRAWS ]; then  # judged, and told to end while it draws
+  sed "s/INVALID/PASS/" "$(dirname "$0")/summary.json" > "$dir/summary.json"
+  trap 'kill $!; exit 0' TERM
+  sleep 60 & wait
+fi
 [ "$verdict" = CRASH ] && { echo "about to crash" >&2; kill -SEGV $$; }
 sed "s/INVALID/$verdict/" "$(dirname "$0")/summary.json" > "$dir/summary.json"
 echo "$*" > "$dir/arguments"
@@ -93,6 +99,34 @@ TEST(RunChecksTest, AStopEndsTheRunsInProgress) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
   EXPECT_EQ(outcomes[1].verdict, VerdictClass::kInvalid);
   EXPECT_NE(outcomes[1].reasons[0].find("signal 15"), std::string::npos) << outcomes[1].reasons[0];
+}
+
+TEST(RunChecksTest, TheTimeLimitEndsARunButNoVerdictThatStands) {
+  Fixture fixture({"HANG", "DRAWS"});
+  fixture.plan.jobs = 2;
+  fixture.plan.time_limit_s = 0.5;
+  const auto outcomes = RunChecks(
+      fixture.plan, [] { return false; }, [](const Outcome&, std::size_t) {});
+  EXPECT_EQ(outcomes[0].verdict, VerdictClass::kInvalid);
+  EXPECT_EQ(outcomes[0].reasons[0], "ERROR: took longer than the time limit");
+  EXPECT_EQ(outcomes[1].verdict, VerdictClass::kPass);
+  EXPECT_TRUE(outcomes[1].reasons.empty());
+}
+
+TEST(RunChecksTest, WhatAnEarlierRunLeftIsClearedBeforeARunThatMayDie) {
+  Fixture fixture({"CRASH"});
+  fixture.folder.Write("s0/summary.json", BareSummary(VerdictClass::kPass));
+  fixture.plan.clear = [](const std::filesystem::path& run_dir) {
+    std::filesystem::remove(run_dir / "summary.json");
+  };
+  const auto outcomes = RunChecks(
+      fixture.plan, [] { return false; }, [](const Outcome&, std::size_t) {});
+  ASSERT_EQ(outcomes[0].verdict, VerdictClass::kInvalid);
+  EXPECT_EQ(outcomes[0].reasons[0].find("PASS"), std::string::npos) << outcomes[0].reasons[0];
+  fixture.plan.clear = [](const std::filesystem::path&) { throw ConfigError("is not ours"); };
+  const auto refused = RunChecks(
+      fixture.plan, [] { return false; }, [](const Outcome&, std::size_t) {});
+  EXPECT_EQ(refused[0].reasons[0], "ERROR: is not ours");
 }
 
 TEST(RunChecksTest, AProgramThatCannotBeStartedIsInvalid) {

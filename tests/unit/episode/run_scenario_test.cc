@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "models/support/config_error.h"
 #include "tests/support/run_files.h"
@@ -87,6 +88,20 @@ TEST(RunScenarioTest, ARunThatAnErrorEndsSaysSo) {
   EXPECT_EQ(summary["reasons"][0]["class"], "ERROR");
   EXPECT_EQ(summary["reasons"][0]["text"], "the gyro caught fire");
   for (const char* name : kFiles) EXPECT_NE(TextOf(folder.path() / name), "") << name;
+}
+
+TEST(RunScenarioTest, TheVerdictIsToldAlsoWhereTheDiskNoLongerTakesItsFiles) {
+  const TempFolder folder;
+  const fs::path out = folder.path() / "run";
+  RunOptions options;
+  options.out_dir = out;
+  std::optional<VerdictClass> told;
+  options.on_verdict = [&](const RunResult& result) {
+    told = result.verdict.verdict_class;
+    fs::remove_all(out);
+  };
+  EXPECT_THROW(RunScenario(ShortHop(0.1), options, TorqueBy(NoTorque)), ConfigError);
+  EXPECT_EQ(told, VerdictClass::kPass);
 }
 
 TEST(RunScenarioTest, UntilItIsJudgedTheFolderSaysInvalidAndHasWholeRows) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "tests/support/run_files.h"
 #include "tests/unit/scenario/scenario_fixture.h"
@@ -39,6 +42,51 @@ TEST_F(ReadScenarioTest, FourKeysAreEnough) {
   EXPECT_TRUE(scenario.pushes.empty());
   EXPECT_TRUE(scenario.expect.empty());
   EXPECT_TRUE(scenario.video.enabled);
+}
+
+TEST_F(ReadScenarioTest, AllMistakesAreToldAtOnceEachWithItsPlace) {
+  const char* text =
+      "sidestep: 1\n"
+      "name: a/b\n"
+      "robot: mini\n"
+      "duration_s: -3\n"
+      "seeed: 2\n"
+      "control: {mode: torqe, mpc: {knots: 1.5, rate_hz: 0}}\n"
+      "gait: [{type: stand}, {type: wlak, start_s: x}]\n"
+      "pushes:\n"
+      "  - {body: trunk, force_N: [1, 2], start_s: 1}\n"
+      "  - {body: trunk, start_s: 1, duration_s: 1}\n"
+      "expect: {fal: false, max_tilt_rad: {min: 2, max: 1}}\n"
+      "video: {fps: 1e9}\n";
+  std::vector<std::string> places;
+  try {
+    Read(text);
+  } catch (const ConfigError& error) {
+    for (const std::string& message : error.messages()) {
+      const std::string shown = folder_.Shorten(message);
+      places.push_back(shown.substr(0, shown.find(": error: ")));
+    }
+  }
+  const std::vector<std::string> expected{
+      "a.yaml:2:7",   "a.yaml:4:13",  "a.yaml:6:17",  "a.yaml:6:44", "a.yaml:6:36",
+      "a.yaml:7:30",  "a.yaml:7:45",  "a.yaml:9:28",  "a.yaml:9:5",  "a.yaml:10:5",
+      "a.yaml:11:10", "a.yaml:11:36", "a.yaml:12:14", "a.yaml:5:1"};
+  std::vector<std::string> sorted = places, wanted = expected;
+  std::sort(sorted.begin(), sorted.end());
+  std::sort(wanted.begin(), wanted.end());
+  EXPECT_EQ(sorted, wanted);
+}
+
+TEST_F(ReadScenarioTest, OfVeryManyMistakesTheFirstAreToldAndHowManyMoreThereAre) {
+  std::string text = valid_;
+  for (int i = 0; i < 60; ++i) text += "unknown_" + std::to_string(i) + ": 1\n";
+  try {
+    Read(text);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(error.messages().size(), 51U);
+    EXPECT_EQ(error.messages().back(), "and 10 more");
+  }
 }
 
 TEST_F(ReadScenarioTest, FindsARobotByAPathFromTheScenario) {
