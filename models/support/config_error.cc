@@ -8,8 +8,6 @@
 namespace sidestep {
 namespace {
 
-constexpr std::size_t kMostMessages = 50;
-
 std::string InOneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -46,14 +44,7 @@ void Mistakes::Add(const ConfigError& error) {
 }
 
 void Mistakes::Throw() const {
-  if (messages_.empty()) return;
-  std::vector<std::string> told(
-      messages_.begin(),
-      messages_.begin() + static_cast<std::ptrdiff_t>(std::min(messages_.size(), kMostMessages)));
-  if (told.size() < messages_.size()) {
-    told.push_back("and " + std::to_string(messages_.size() - told.size()) + " more");
-  }
-  throw ConfigError(told);
+  if (!messages_.empty()) throw ConfigError(messages_);
 }
 
 }  // namespace sidestep

@@ -42,7 +42,7 @@ class Mistakes {
 
   void Add(const ConfigError& error);
 
-  /// Throws what was kept, if anything: of very many the first, and how many more there are.
+  /// Throws what was kept, if anything.
   void Throw() const;
 
  private:

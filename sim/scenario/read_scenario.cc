@@ -80,7 +80,8 @@ void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
 
 void ReadBasics(ConfigMap& map, Scenario* scenario, Mistakes* mistakes) {
   ScenarioBasics::VisitFields(*scenario, PatientFieldReader(&map, mistakes));
-  if (const auto name = map.Optional("name")) {
+  const auto name = map.Optional("name");
+  if (name && name->tree().kind == ConfigKind::kScalar) {
     mistakes->Try([&] { name->Word(); });  // it becomes a folder's
   }
 }
