@@ -12,6 +12,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/config_text.h"
+#include "models/support/plain_line.h"
 
 namespace sidestep {
 namespace {
@@ -131,8 +132,9 @@ std::string MessageAt(const ConfigPlace& place, std::string_view kind, const std
   std::string message = place.source->name;
   if (is_file) message += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
   message += ": " + std::string(kind) + ": " + what;
-  if (is_file || place.column == 1) return message;
-  return message + " (column " + std::to_string(place.column) + " of the value)";
+  const bool has_column = !is_file && place.column != 1;
+  if (has_column) message += " (column " + std::to_string(place.column) + " of the value)";
+  return PlainLine(message);
 }
 
 void FailAt(const ConfigPlace& place, const std::string& what) {
