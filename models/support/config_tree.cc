@@ -17,7 +17,8 @@
 namespace sidestep {
 namespace {
 
-constexpr std::size_t kMaxDepth = 32;  // Our files need 5; functions recurse over the tree.
+constexpr std::size_t kMaxDepth = 32;   // Our files need 5; functions recurse over the tree.
+constexpr std::size_t kMaxKeys = 1000;  // Of one map; keys are looked for one after the other.
 
 /// Builds a ConfigTree from yaml-cpp's parse events.
 class TreeBuilder : public YAML::EventHandler {
@@ -113,6 +114,9 @@ class TreeBuilder : public YAML::EventHandler {
 
   static ConfigKey KeyFrom(const ConfigTree& tree, const ConfigTree& map) {
     if (tree.kind != ConfigKind::kScalar) FailAt(tree.place, "a key must be a word");
+    if (map.keys.size() == kMaxKeys) {
+      FailAt(tree.place, "is one key too many: a map has at most " + std::to_string(kMaxKeys));
+    }
     for (const ConfigKey& key : map.keys) {
       if (key.text != tree.scalar) continue;
       FailAt(tree.place, "key '" + key.text + "' appears twice; first at line " +
