@@ -6,6 +6,7 @@
 #include "sim/compare/compare_runs.h"
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
+#include "sim/record/run_reader.h"
 #include "sim/record/run_summary.h"
 #include "sim/report/report_sections.h"
 #include "sim/report/run_evidence.h"
@@ -57,6 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const std::filesystem::path& run_dir = folder.path();
   fuzz::IsRead([&] { fuzz::WriteSummary(run_dir); });
+  fuzz::IsRead([&] { ReadFootsteps(run_dir); });
   fuzz::IsRead([&] { fuzz::WriteScripts(run_dir); });
   fuzz::IsRead([&] { fuzz::WritePage(run_dir); });
   fuzz::IsRead([&] { RunComparisonText(CompareRuns(run_dir, run_dir)); });
