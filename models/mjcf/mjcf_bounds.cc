@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/mjcf/mjcf_sizes.h"
 #include "models/support/config_error.h"
 #include "models/support/xml_bounds.h"
 
@@ -58,6 +59,7 @@ void CheckMjcfBounds(const std::filesystem::path& mjcf) {
       throw ConfigError(mjcf.string() + ": error: has elements nested deeper than " +
                         std::to_string(kMaxMjcfDepth) + ", with the files that it includes");
     }
+    CheckMjcfSizes(file.string(), text);
     num_elements += NumElements(text);
     if (num_elements > kMaxMjcfElements) {
       throw ConfigError(mjcf.string() + ": error: has more than " +

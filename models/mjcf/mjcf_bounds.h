@@ -14,10 +14,10 @@ inline constexpr int kMaxMjcfDepth = 300;
 /// thousand and, with the square of them, minutes for more.
 inline constexpr std::ptrdiff_t kMaxMjcfElements = 5000;
 
-/// Throws ConfigError if the file, or one that it includes, exceeds CheckXmlBounds(), or if all of
-/// them together could nest deeper than kMaxMjcfDepth, over which MuJoCo recurses, or have more
-/// than kMaxMjcfElements. Files that
-/// can't be read are left for MuJoCo to name.
+/// Throws ConfigError if the file, or one that it includes, exceeds CheckXmlBounds() or
+/// CheckMjcfSizes(), or if all of them together could nest deeper than kMaxMjcfDepth, over which
+/// MuJoCo recurses, or have more than kMaxMjcfElements. Files that can't be read are left for
+/// MuJoCo to name.
 void CheckMjcfBounds(const std::filesystem::path& mjcf);
 
 }  // namespace sidestep
