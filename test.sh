@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Every test of the repository: installs missing packages, checks the format, builds twice, runs
-# twice.
+# Every test of the repository: installs missing packages, checks the format, builds three times, runs
+# three times.
 #   dev      asserts and sanitizers: unit and layering tests
 #   release  what users run: the QP again, allocations, the MPC's recorded problems, closed loops,
 #            pages in a browser, a sweep on a cluster
+#   fuzz     readers of files, with clang: half a minute of libFuzzer
 # Clean clone to verdict in minutes; a second time only what changed is built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -28,6 +29,7 @@ build() {
 }
 build dev unit_tests layering_tests
 build release sidestep unit_tests closed_loop_tests browser_tests
+build fuzz fuzz_targets
 
 current="unit and layering tests with sanitizers (preset dev)"
 step "$current"
@@ -44,5 +46,9 @@ ctest --preset release --no-tests=error --label-regex browser
 current="a sweep on a real Slurm (preset release; skipped where it can't be installed)"
 step "$current"
 ctest --preset release --no-tests=error --label-regex slurm --verbose
+
+current="readers of files under libFuzzer (preset fuzz)"
+step "$current"
+tests/fuzz/fuzz.sh 3
 
 step "all tests passed"

@@ -22,6 +22,14 @@ target_compile_options(sidestep_options INTERFACE
                                  -fno-sanitize-recover=undefined -fno-omit-frame-pointer>)
 target_link_options(sidestep_options INTERFACE
   $<$<BOOL:${SIDESTEP_SANITIZE}>:-fsanitize=address,undefined>)
+# Fuzzed, the readers have all of UBSan, and the library's own asserts.
+if(SIDESTEP_FUZZ)
+  set(fuzzed address,undefined,float-cast-overflow)
+  target_compile_options(sidestep_options INTERFACE
+    $<BUILD_INTERFACE:-fsanitize=fuzzer-no-link,${fuzzed};-fno-sanitize-recover=all;-fno-omit-frame-pointer>)
+  target_compile_definitions(sidestep_options INTERFACE $<BUILD_INTERFACE:_GLIBCXX_ASSERTIONS>)
+  target_link_options(sidestep_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${fuzzed}>)
+endif()
 target_compile_definitions(sidestep_options INTERFACE
   "$<INSTALL_INTERFACE:EIGEN_MAX_ALIGN_BYTES=16;EIGEN_MALLOC_ALREADY_ALIGNED=1>")
 set(CMAKE_CXX_EXTENSIONS OFF)

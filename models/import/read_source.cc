@@ -10,6 +10,7 @@
 
 #include "models/import/xml_values.h"
 #include "models/support/xml_bounds.h"
+#include "models/urdf_to_mjcf/urdf_elements.h"
 #include "models/urdf_to_mjcf/urdf_graph.h"
 
 namespace sidestep::importer {
@@ -77,6 +78,12 @@ class SourceReader {
     }
     ReadShapes(element, "visual", &link.visuals);
     ReadShapes(element, "collision", &link.collisions);
+    num_shapes_ += static_cast<int>(link.visuals.size() + link.collisions.size());
+    if (num_shapes_ > kMaxUrdfShapes) {
+      values_.Add(element,
+                  "has one shape too many: a robot has at most " + std::to_string(kMaxUrdfShapes));
+      problems_.ThrowIfAny();
+    }
     robot_.links.push_back(std::move(link));
   }
 
@@ -175,6 +182,7 @@ class SourceReader {
   std::set<std::string> joint_names_;
   std::vector<int> floating_;
   std::map<std::string, int> passed_over_;
+  int num_shapes_{0};
 };
 
 }  // namespace

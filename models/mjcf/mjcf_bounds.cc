@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/mjcf/mjcf_sizes.h"
 #include "models/support/config_error.h"
 #include "models/support/xml_bounds.h"
 
@@ -32,11 +33,21 @@ std::vector<std::string> IncludesOf(std::string_view text) {
   return files;
 }
 
+std::ptrdiff_t NumElements(std::string_view text) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos; ++at) {
+    const char next = at + 1 < text.size() ? text[at + 1] : '/';
+    if (next != '/' && next != '!' && next != '?') ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 void CheckMjcfBounds(const std::filesystem::path& mjcf) {
   std::set<std::filesystem::path> seen;
   std::vector<std::filesystem::path> open{mjcf};
+  std::ptrdiff_t num_elements = 0;
   for (int depth = 0; !open.empty();) {
     const std::filesystem::path file = open.back();
     open.pop_back();
@@ -47,6 +58,13 @@ void CheckMjcfBounds(const std::filesystem::path& mjcf) {
     if (depth > kMaxMjcfDepth) {
       throw ConfigError(mjcf.string() + ": error: has elements nested deeper than " +
                         std::to_string(kMaxMjcfDepth) + ", with the files that it includes");
+    }
+    CheckMjcfSizes(file.string(), text);
+    num_elements += NumElements(text);
+    if (num_elements > kMaxMjcfElements) {
+      throw ConfigError(mjcf.string() + ": error: has more than " +
+                        std::to_string(kMaxMjcfElements) +
+                        " elements, with the files that it includes");
     }
     for (const std::string& name : IncludesOf(text)) {
       open.push_back((mjcf.parent_path() / name).lexically_normal());

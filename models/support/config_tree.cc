@@ -12,11 +12,13 @@
 
 #include "models/support/config_error.h"
 #include "models/support/config_text.h"
+#include "models/support/plain_line.h"
 
 namespace sidestep {
 namespace {
 
-constexpr std::size_t kMaxDepth = 32;  // Our files need 5; functions recurse over the tree.
+constexpr std::size_t kMaxDepth = 32;   // Our files need 5; functions recurse over the tree.
+constexpr std::size_t kMaxKeys = 1000;  // Of one map; keys are looked for one after the other.
 
 /// Builds a ConfigTree from yaml-cpp's parse events.
 class TreeBuilder : public YAML::EventHandler {
@@ -112,6 +114,9 @@ class TreeBuilder : public YAML::EventHandler {
 
   static ConfigKey KeyFrom(const ConfigTree& tree, const ConfigTree& map) {
     if (tree.kind != ConfigKind::kScalar) FailAt(tree.place, "a key must be a word");
+    if (map.keys.size() == kMaxKeys) {
+      FailAt(tree.place, "is one key too many: a map has at most " + std::to_string(kMaxKeys));
+    }
     for (const ConfigKey& key : map.keys) {
       if (key.text != tree.scalar) continue;
       FailAt(tree.place, "key '" + key.text + "' appears twice; first at line " +
@@ -131,8 +136,9 @@ std::string MessageAt(const ConfigPlace& place, std::string_view kind, const std
   std::string message = place.source->name;
   if (is_file) message += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
   message += ": " + std::string(kind) + ": " + what;
-  if (is_file || place.column == 1) return message;
-  return message + " (column " + std::to_string(place.column) + " of the value)";
+  const bool has_column = !is_file && place.column != 1;
+  if (has_column) message += " (column " + std::to_string(place.column) + " of the value)";
+  return PlainLine(message);
 }
 
 void FailAt(const ConfigPlace& place, const std::string& what) {

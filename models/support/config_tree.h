@@ -54,9 +54,9 @@ struct ConfigTree {
   const ConfigTree* Find(std::string_view key) const;
 };
 
-/// Parses one YAML document. Throws ConfigError on syntax errors, duplicate or non-text keys,
-/// aliases, explicit tags, control characters, bytes that are no UTF-8, an empty text and more
-/// than one document.
+/// Parses one YAML document. Throws ConfigError on syntax errors, duplicate or non-text keys, maps
+/// of more than 1000 of them, aliases, explicit tags, control characters, bytes that are no UTF-8,
+/// an empty text and more than one document.
 ConfigTree ParseConfig(const std::string& text, const ConfigSource& source);
 
 /// Reads and parses a file; also throws ConfigError if it can't be read or exceeds 1 MiB.

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "models/support/config_error.h"
+#include "models/support/plain_line.h"
 
 namespace sidestep {
 namespace {
@@ -39,7 +40,7 @@ std::vector<std::string> FileNotes::LinesOf(std::vector<Note> notes,
     const TextPlace& at = note.place;
     const std::string place =
         at.line > 0 ? ":" + std::to_string(at.line) + ":" + std::to_string(at.column) : "";
-    lines.push_back(file_ + place + ": " + kind + ": " + note.what);
+    lines.push_back(PlainLine(file_ + place + ": " + kind + ": " + note.what));
   }
   return lines;
 }

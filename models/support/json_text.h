@@ -3,6 +3,7 @@
 // json_text: JSON from a file that may be anything, with bounds on what is taken.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -18,28 +19,39 @@ inline constexpr std::size_t kMostJsonBytes = std::size_t{16} << 20;
 /// Deeper than anything that this program writes.
 inline constexpr int kDeepestJson = 32;
 
+/// Likewise of one object's keys; an ordered_json looks for each from the first on.
+inline constexpr int kMostJsonKeys = 10000;
+
 /// Parses a whole JSON text.
 ///
 /// @tparam Json  nlohmann::json or ordered_json.
 /// @param file   Its name, for the errors.
 /// @throws ConfigError of one line, with line and column where the JSON breaks off, if `text` is
-/// not
-///         JSON, is larger than kMostJsonBytes, is nested deeper than kDeepestJson or has a number
-///         beyond the range of a double.
+///         not JSON, is larger than kMostJsonBytes, is nested deeper than kDeepestJson, has an
+///         object of more than kMostJsonKeys or a number beyond the range of a double.
 template <typename Json>
 Json ParseJson(const std::string& text, const std::string& file) {
   if (text.size() > kMostJsonBytes) {
     throw ConfigError(file + ": error: is larger than " + std::to_string(kMostJsonBytes >> 20) +
                       " MiB");
   }
-  const auto is_shallow = [&](int depth, typename Json::parse_event_t event, const Json&) {
+  std::array<int, kDeepestJson + 2> num_keys{};  // of the object that is open at a depth
+  const auto is_bounded = [&](int depth, typename Json::parse_event_t event, const Json&) {
     using Event = typename Json::parse_event_t;
     const bool begins = event == Event::array_start || event == Event::object_start;
-    if (!begins || depth < kDeepestJson) return true;
-    throw ConfigError(file + ": error: is nested deeper than " + std::to_string(kDeepestJson));
+    if (begins && depth >= kDeepestJson) {
+      throw ConfigError(file + ": error: is nested deeper than " + std::to_string(kDeepestJson));
+    }
+    if (begins) num_keys[static_cast<std::size_t>(depth) + 1] = 0;
+    const bool is_key = event == Event::key;  // its depth is one more than its object's
+    if (is_key && ++num_keys[static_cast<std::size_t>(depth)] > kMostJsonKeys) {
+      throw ConfigError(file + ": error: has an object of more than " +
+                        std::to_string(kMostJsonKeys) + " keys");
+    }
+    return true;
   };
   try {
-    return Json::parse(text, is_shallow);
+    return Json::parse(text, is_bounded);
   } catch (const typename Json::parse_error& broken) {
     const std::string before = text.substr(0, broken.byte == 0 ? 0 : broken.byte - 1);
     const auto line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));

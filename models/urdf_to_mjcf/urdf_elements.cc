@@ -40,7 +40,17 @@ class ElementChecker {
     if (TextOf(robot_, "name").empty()) {
       notes_.Problem(PlaceOf(robot_), "the <robot> has no name; give it one: <robot name=\"...\">");
     }
-    ForEachChild(robot_, "link", [&](TiXmlElement& link) { CheckLink(&link); });
+    int num_shapes = 0;
+    ForEachChild(robot_, "link", [&](TiXmlElement& link) {
+      CheckLink(&link);
+      for (const char* kind : {"visual", "collision"}) {
+        ForEachChild(link, kind, [&](TiXmlElement& /*shape*/) { ++num_shapes; });
+      }
+    });
+    if (num_shapes > kMaxUrdfShapes) {
+      notes_.Problem(PlaceOf(robot_), "the robot has " + std::to_string(num_shapes) +
+                                          " shapes, more than " + std::to_string(kMaxUrdfShapes));
+    }
     ForEachChild(robot_, "joint", [&](TiXmlElement& joint) { CheckJoint(&joint); });
   }
 

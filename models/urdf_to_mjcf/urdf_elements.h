@@ -6,6 +6,9 @@
 
 namespace sidestep {
 
+/// Of all links together. Public humanoids have a hundred; MuJoCo compiles ten thousand in minutes.
+inline constexpr int kMaxUrdfShapes = 4000;
+
 /// Makes of the document what urdfdom takes: removes what only simulators, drivers or drawing
 /// tools read, mends what is harmless and gives notice of it, and notes every problem: names that
 /// are missing, no plain words or there twice, numbers that are none or not finite, what is

@@ -118,7 +118,7 @@ class MapBuilder {
  private:
   void AddRun(const std::vector<std::string>& row, MapCell* cell) const {
     const std::string* after = &row[columns_.first_after_axes];
-    const auto ray = static_cast<std::size_t>(std::max(0.0, NumberOf(row[0])));
+    const std::size_t ray = ParseAs<std::size_t>(row[0]).value_or(0);
     auto point = std::find_if(cell->points.begin(), cell->points.end(), [&](const MapPoint& known) {
       return known.ray == ray && known.strength == after[after_axes::kStrength];
     });
@@ -205,6 +205,10 @@ SweepMap ParseMap(std::string_view cells_csv, const std::string& name, const std
       throw ConfigError(file + ":" + std::to_string(line) + ": error: has " +
                         std::to_string(row.size()) + " columns, not " +
                         std::to_string(columns.names.size()));
+    }
+    if (!ParseAs<std::size_t>(row[0])) {
+      throw ConfigError(file + ":" + std::to_string(line) + ": error: ray '" + row[0] +
+                        "' is no number of a ray");
     }
     builder.Add(row);
   }

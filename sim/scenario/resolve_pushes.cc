@@ -26,9 +26,29 @@ double PlantMass_kg(const Scenario& scenario) {
   return scenario.world.mass_scale * mass_kg;
 }
 
-double Magnitude_N(const PushEntry& entry, const Scenario& scenario) {
+/// What pushes are told by, worked out once for all of them, and only if one asks for it.
+class Yardstick {
+ public:
+  explicit Yardstick(const Scenario& scenario) : scenario_(scenario) {}
+
+  double mass_kg() {
+    if (!mass_kg_) mass_kg_ = PlantMass_kg(scenario_);
+    return *mass_kg_;
+  }
+  const NominalMotion& motion() {
+    if (!motion_) motion_.emplace(scenario_.robot, AskedGaitOf(scenario_));
+    return *motion_;
+  }
+
+ private:
+  const Scenario& scenario_;
+  std::optional<double> mass_kg_;
+  std::optional<NominalMotion> motion_;
+};
+
+double Magnitude_N(const PushEntry& entry, Yardstick* yardstick) {
   if (entry.magnitude_N) return *entry.magnitude_N;
-  const double mass_kg = PlantMass_kg(scenario);
+  const double mass_kg = yardstick->mass_kg();
   if (entry.magnitude_mg) return *entry.magnitude_mg * mass_kg * kGravity_mps2;
   const double mean_share = MeanShare(entry.push.profile);
   return *entry.impulse_Nspkg * mass_kg / (entry.push.duration_s * mean_share);
@@ -70,9 +90,9 @@ Tick InstantOf(const StridePhase& phase, const Stride& stride) {
 }
 
 double Start_s(const PushEntry& entry, const std::string& path, const Scenario& scenario,
-               const ConfigTree& root) {
+               const ConfigTree& root, Yardstick* yardstick) {
   if (entry.start_s) return *entry.start_s;
-  const NominalMotion motion(scenario.robot, AskedGaitOf(scenario));
+  const NominalMotion& motion = yardstick->motion();
   const PushFoot side = entry.foot.value_or(PushFoot::kLeft);
   const std::size_t foot = side == PushFoot::kLeft ? 0 : 1;
   if (foot >= motion.num_feet()) {
@@ -111,16 +131,17 @@ std::optional<double> PhaseAt(const Scenario& scenario, double time_s) {
 std::vector<Push> ResolvePushes(const std::vector<PushEntry>& entries, const Scenario& scenario,
                                 const ConfigTree& root) {
   std::vector<Push> pushes;
+  Yardstick yardstick(scenario);
   for (const PushEntry& entry : entries) {
     const std::string path = "pushes." + std::to_string(pushes.size());
     Push& push = pushes.emplace_back(entry.push);
-    push.start_s = Start_s(entry, path, scenario, root);
+    push.start_s = Start_s(entry, path, scenario, root, &yardstick);
     if (entry.force_N) {
       push.force_N = *entry.force_N;
       continue;
     }
     const double direction_rad = *entry.direction_rad;
-    push.force_N = Magnitude_N(entry, scenario) *
+    push.force_N = Magnitude_N(entry, &yardstick) *
                    Eigen::Vector3d(std::cos(direction_rad), std::sin(direction_rad), 0);
     push.frame = PushFrame::kHeading;
   }

@@ -15,7 +15,7 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/sweep/cell_runner.h"
+#include "sim/sweep/cell_result.h"
 #include "sim/sweep/rays.h"
 
 namespace sidestep {

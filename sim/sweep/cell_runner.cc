@@ -11,8 +11,7 @@
 
 #include "sim/episode/run_episode.h"
 #include "sim/process/interrupt.h"
-#include "sim/scenario/push_ticks.h"
-#include "sim/scenario/write_scenario.h"
+#include "sim/sweep/shared_prefix.h"
 
 namespace sidestep {
 namespace {
@@ -26,15 +25,6 @@ double ProcessCpu_s() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + kSecondsPerNanosecond * static_cast<double>(now.tv_nsec);
-}
-
-// What is written of a run, or decides whether it passes, decides nothing in it.
-Scenario WithoutWords(Scenario scenario) {
-  scenario.name = "cell";
-  scenario.description.clear();
-  scenario.expect.clear();
-  scenario.video = {};
-  return scenario;
 }
 
 double ImpulsePerMass_Nspkg(const Scenario& scenario, double mass_kg) {
@@ -74,26 +64,6 @@ void RunFrom(Episode episode, CellResult* result) {
 }
 
 }  // namespace
-
-std::string PrefixText(const Scenario& scenario) {
-  Scenario bare = WithoutWords(scenario);
-  for (Push& push : bare.pushes) {
-    const std::string body = push.body;
-    push = Push();
-    push.body = body;
-    push.duration_s = scenario.world.step_s;
-  }
-  return ResolvedYaml(bare);
-}
-
-Tick FirstPushTick(const Scenario& scenario) {
-  Tick first = -1;
-  for (const Push& push : scenario.pushes) {
-    const Tick start = TicksOf(push, scenario.world.step_s).first;
-    first = first < 0 ? start : std::min(first, start);
-  }
-  return first;
-}
 
 const Episode* CellRunner::Before(const Scenario& scenario, Tick tick) {
   const std::string text = PrefixText(scenario);

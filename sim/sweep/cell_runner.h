@@ -10,30 +10,9 @@
 
 #include "sim/episode/episode.h"
 #include "sim/scenario/scenario.h"
-#include "sim/sweep/rays.h"
-#include "sim/verdict/verdict.h"
+#include "sim/sweep/cell_result.h"
 
 namespace sidestep {
-
-/// What a cell's run showed.
-struct CellResult {
-  bool was_interrupted{false};  ///< By the user: nothing else has a meaning.
-  CellOutcome outcome{CellOutcome::kInvalid};
-  std::string
-      reasons;  ///< Kinds and texts, joined by "; "; empty if it recovered and did no wrong.
-  double impulse_Nspkg{0.0};  ///< Sizes of all pushes, as scripted, over the plant's mass.
-  Metrics metrics;            ///< Empty if INVALID.
-  double simulated_s{0.0};    ///< From the scenario's start, shared part included.
-  double cpu_s{0.0};   ///< Of this process, spent on this cell, with what it was the first to need.
-  double wall_s{0.0};  ///< Likewise.
-};
-
-/// Scenarios with the same text differ in nothing that happens before their first push but its
-/// time: pushes are reduced to their number and bodies, and what only names or judges is left out.
-std::string PrefixText(const Scenario& scenario);
-
-/// Tick at which the first push starts; -1 without pushes.
-Tick FirstPushTick(const Scenario& scenario);
 
 class CellRunner {
  public:

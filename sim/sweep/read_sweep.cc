@@ -6,18 +6,21 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
 #include "models/support/plain_word.h"
 #include "sim/scenario/find_scenario.h"
+#include "sim/sweep/rays.h"
 
 namespace sidestep {
 namespace {
 
 constexpr std::int64_t kFormatVersion = 1;
 constexpr std::int64_t kMostSeeds = 100'000;
+constexpr double kMostRays = 1e6;    // each is kept in memory, and is a run at the least
 constexpr double kGapShare = 0.125;  // of the ladder's smallest gap: three halvings
 
 ConfigPlace OptionPlace(const std::string& option) {
@@ -59,10 +62,10 @@ std::vector<std::uint64_t> ReadSeeds(const ConfigNode& node) {
   constexpr std::int64_t kMax = std::numeric_limits<std::int64_t>::max();
   std::vector<std::uint64_t> seeds;
   if (node.tree().kind == ConfigKind::kList) {
+    std::set<std::uint64_t> seen;
     for (const ConfigNode& seed : node.List()) {
       seeds.push_back(static_cast<std::uint64_t>(seed.Integer(0, kMax)));
-      const bool is_twice = std::count(seeds.begin(), seeds.end(), seeds.back()) > 1;
-      if (is_twice) seed.Fail("= " + seed.Text() + " is there twice");
+      if (!seen.insert(seeds.back()).second) seed.Fail("= " + seed.Text() + " is there twice");
     }
     if (seeds.empty()) node.Fail("is empty");
     return seeds;
@@ -263,6 +266,10 @@ void CheckWhole(const SweepSpec& spec) {
         std::count_if(spec.controllers.begin(), spec.controllers.end(),
                       [&](const ControllerSpec& other) { return other.name == one.name; });
     if (twice > 1) throw ConfigError("controllers: error: '" + one.name + "' is there twice");
+  }
+  if (!(NumRays(spec) <= kMostRays)) {
+    throw ConfigError("vary: error: makes " + NumberText(NumRays(spec)) +
+                      " combinations with the controllers, more than " + NumberText(kMostRays));
   }
   if (spec.limit) {
     for (const Axis& axis : spec.axes) {

@@ -15,10 +15,10 @@
 #include "sim/record/output_file.h"
 #include "sim/scenario/read_scenario.h"
 #include "sim/scenario/write_scenario.h"
-#include "sim/sweep/cell_runner.h"
 #include "sim/sweep/csv_line.h"
 #include "sim/sweep/read_sweep.h"
 #include "sim/sweep/robot_memory.h"
+#include "sim/sweep/shared_prefix.h"
 
 namespace sidestep {
 namespace {

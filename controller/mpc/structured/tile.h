@@ -13,8 +13,10 @@ using Pack = double __attribute__((vector_size(32)));
 inline Pack Load(const double* from) { return *reinterpret_cast<const Pack*>(from); }
 inline void Store(Pack value, double* to) { *reinterpret_cast<Pack*>(to) = value; }
 
-/// The same anywhere in memory.
-using LoosePack = double __attribute__((vector_size(32), aligned(8)));
+/// The same anywhere in memory. The attribute stands with the name: with the type, clang passes
+/// over it and loads as if the place were aligned.
+using LoosePack [[gnu::aligned(8)]] = Pack;
+static_assert(alignof(LoosePack) == alignof(double));
 inline Pack LoadAnywhere(const double* from) { return *reinterpret_cast<const LoosePack*>(from); }
 inline void StoreAnywhere(Pack value, double* to) { *reinterpret_cast<LoosePack*>(to) = value; }
 

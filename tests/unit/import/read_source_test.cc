@@ -88,6 +88,12 @@ TEST(ReadSource, SurvivesHostileFiles) {
   }
   EXPECT_EQ(ErrorFor(chain + "</robot>"),
             "robot.urdf:2000: error: link 'l2000' is one too many: a robot has at most 2000");
+  std::string shapes = "<robot name=\"r\"><link name=\"l\">";
+  for (int i = 0; i < 4001; ++i) {
+    shapes += "<collision><geometry><sphere radius=\"1\"/></geometry></collision>\n";
+  }
+  EXPECT_EQ(ErrorFor(shapes + "</link></robot>"),
+            "robot.urdf:1: error: link 'l' has one shape too many: a robot has at most 4000");
   EXPECT_NE(ErrorFor("<robot name=\"r\"><link name=\"a\">").find("robot.urdf:"), std::string::npos);
   EXPECT_NE(ErrorFor("no xml").find("error"), std::string::npos);
   EXPECT_NE(ErrorFor("<sdf/>").find("must be <robot>"), std::string::npos);

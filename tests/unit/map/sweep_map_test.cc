@@ -96,6 +96,8 @@ TEST(SweepMapTest, TellsWhatIsNoTable) {
   EXPECT_EQ(error(""), "cells.csv:1: error: is no table of a sweep's cells");
   EXPECT_EQ(error("a,b\n1,2\n"), "cells.csv:1: error: is no table of a sweep's cells");
   EXPECT_EQ(error(std::string(kHeader) + "0,i\n"), "cells.csv:2: error: has 2 columns, not 12");
+  EXPECT_EQ(error(std::string(kHeader) + "1e308,i,c,0,a,1,ladder,,LOST,,1,false\n"),
+            "cells.csv:2: error: ray '1e308' is no number of a ray");
   EXPECT_EQ(error(kHeader), "none") << "a sweep without rows is an empty map";
 }
 

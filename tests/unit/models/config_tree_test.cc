@@ -97,6 +97,17 @@ TEST(ConfigTreeTest, RefusesAbysmalNesting) {
   EXPECT_NE(ErrorIn(std::string(100000, '[')), "no error");
 }
 
+TEST(ConfigTreeTest, RefusesMapsOfVeryManyKeys) {
+  const auto keys = [](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += "k" + std::to_string(i) + ": {a: 1, b: 2}\n";
+    return text;
+  };
+  EXPECT_EQ(ErrorIn(keys(1000)), "no error");
+  EXPECT_EQ(ErrorIn(keys(90'000)),
+            "a.yaml:1001:1: error: is one key too many: a map has at most 1000");
+}
+
 TEST(ConfigTreeTest, ErrorsInAnOptionTellTheColumnOfTheValue) {
   const ConfigSource option{"--set a={b: 1, b: 2}", false};
   EXPECT_EQ(ErrorIn("{b: 1, b: 2}", option),

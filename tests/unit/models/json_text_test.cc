@@ -45,6 +45,17 @@ TEST(JsonTextTest, NeitherDeepNorLargeTextsAreTaken) {
             "f.json: error: is larger than 16 MiB");
 }
 
+TEST(JsonTextTest, AnObjectOfVeryManyKeysIsNotTaken) {
+  const auto keys = [](int count) {
+    std::string text = "{\"a\": [{\"b\": 1}, {";
+    for (int i = 0; i < count; ++i) text += (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\":1";
+    return text + "}, {\"c\": 1}]}";
+  };
+  EXPECT_EQ(ErrorIn(keys(kMostJsonKeys)), "no error") << "each object counts alone";
+  EXPECT_EQ(ErrorIn(keys(kMostJsonKeys + 1)),
+            "f.json: error: has an object of more than 10000 keys");
+}
+
 TEST(JsonTextTest, AFileThatNeverEndsIsTooLarge) {
   EXPECT_EQ(ErrorOf([] { ReadJsonFile<Json>("/dev/zero"); }),
             "/dev/zero: error: is larger than 16 MiB");

@@ -45,6 +45,15 @@ TEST_F(MjcfBoundsTest, FilesWithinEachOtherAddUp) {
   EXPECT_NE(ErrorOf(including(1, "a.xml")), "no error") << "MuJoCo tells of loops";
 }
 
+TEST_F(MjcfBoundsTest, ElementsOfAllFilesAreCounted) {
+  std::string sites;
+  for (int i = 0; i < kMaxMjcfElements / 2; ++i) sites += "<site/>\n<!-- no element -->";
+  folder_.Write("b.xml", "<mujoco><worldbody>" + sites + "</worldbody></mujoco>");
+  EXPECT_EQ(ErrorOf("<mujoco><worldbody>" + sites + "</worldbody><include file='b.xml'/></mujoco>"),
+            "a.xml: error: has more than 5000 elements, with the files that it includes");
+  EXPECT_EQ(ErrorOf("<mujoco><worldbody>" + sites + "</worldbody></mujoco>"), "no error");
+}
+
 TEST_F(MjcfBoundsTest, NamesArePlainWords) {
   const std::string geom = "<geom size='0.1'/>";
   EXPECT_EQ(ErrorOf("<mujoco><worldbody><body name='a b'><joint name='c;d'/>" + geom +

@@ -173,6 +173,12 @@ TEST_F(UrdfFaultsTest, WhatIsTooLargeEndsInOneLine) {
             "a.urdf:1:1: error: the robot has 20000 links, more than 2000");
   EXPECT_EQ(ErrorOfParts(Chain(2'000)),
             "a.urdf:163:1: error: link 'l81' hangs on more than 80 joints in a row");
+  std::string shapes = "<link name=\"l\">";
+  for (int i = 0; i < 4001; ++i) {
+    shapes += "<visual><geometry><sphere radius=\"1\"/></geometry></visual>\n";
+  }
+  EXPECT_EQ(ErrorOfParts(shapes + "</link>"),
+            "a.urdf:1:1: error: the robot has 4001 shapes, more than 4000");
   std::string nested;
   for (int i = 0; i < 100'000; ++i) nested += "<a>";
   EXPECT_EQ(ErrorOfParts(nested), "a.urdf:2:298: error: has elements nested deeper than 100");
