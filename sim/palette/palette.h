@@ -14,7 +14,7 @@ inline constexpr const char* kTruth = "#009E73";      ///< The CoM, and what els
 inline constexpr const char* kReference = "#E69F00";  ///< What is to be followed.
 inline constexpr const char* kBelief = "#CC79A7";     ///< What the estimator takes it to be.
 inline constexpr const char* kPlanned = "#000000";    ///< The MPC's plan; a page's ink.
-inline constexpr const char* kNominal = "#808080";    ///< Footholds as the gait has them.
+inline constexpr const char* kNominal = "#6B7280";    ///< Footholds as the gait has them.
 inline constexpr const char* kPush = "#CC0066";
 inline constexpr const char* kLimit = "#D55E00";  ///< A deadline.
 
