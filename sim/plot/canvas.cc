@@ -16,7 +16,9 @@ constexpr double kMillimetresAnInch = 25.4;
 constexpr double kPointsAnInch = 72.0;
 constexpr double kPaperFont_pt = 7.0;  // as journals ask of figures
 constexpr double kPrintDpi = 300.0;
-constexpr double kUsualHeight = 0.7;     // of the width
+constexpr double kUsualHeight = 0.7;  // of the width
+constexpr double kNarrowHeight =
+    1.25;  // likewise: gnuplot drops legends that a panel is too low for
 constexpr double kSmallScreen_px = 700;  // narrower, words shrink with the picture
 constexpr double kSmallScreen_em = 50;
 constexpr double kSmallest_mm = 30.0, kLargest_mm = 1000.0;
@@ -40,8 +42,9 @@ Canvas ReadCanvas(const std::string& size) {
   canvas.font_px = is_paper ? kPaperFont_pt * kPixelsAnInch / kPointsAnInch
                    : canvas.width_px < kSmallScreen_px ? canvas.width_px / kSmallScreen_em
                                                        : canvas.font_px;
-  canvas.height_px = match[2].matched ? unit_px * std::stod(match[2])
-                                      : canvas.width_px * (canvas.is_narrow() ? 1.0 : kUsualHeight);
+  canvas.height_px = match[2].matched
+                         ? unit_px * std::stod(match[2])
+                         : canvas.width_px * (canvas.is_narrow() ? kNarrowHeight : kUsualHeight);
   for (const double side_px : {canvas.width_px, canvas.height_px}) {
     const double side_mm = side_px * kMillimetresAnInch / kPixelsAnInch;
     if (side_mm < kSmallest_mm - 1e-9 || side_mm > kLargest_mm + 1e-9) Refuse(size);

@@ -29,7 +29,7 @@ struct Canvas {
 inline constexpr const char* kSizeWords = "88mm, 160x100mm, 800px or 800x600px";
 
 /// Reads a size: a width with or without a height, in mm (words of 7 points) or px. Without one,
-/// the height is 0.7 of the width, or all of it where that is narrow.
+/// the height is 0.7 of the width, or 1.25 of it where that is narrow.
 /// @throws ConfigError in a line if it is none, or is below 30 mm or above 1000 mm.
 Canvas ReadCanvas(const std::string& size);
 

@@ -111,6 +111,8 @@ std::string GaitScript(const PlotData& data) {
   const int rows = RowsOf(data);
   const double row_s = (data.end_s - data.start_s) / rows;
   script << StartPanels(data, "who stands when", rows, 1);
+  const double length_em = PanelSize_em(data.canvas, rows, 1).x();
+  script << "set xtics " << TimeStep_s(row_s, length_em) << "\n";
   AddTables(data, script);
   SetLines(data, script);
   AddGaitNames(data, script);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLetter_em = 0.6;    // a letter's width: DejaVu Sans' mean is 0.57
 constexpr double kKeyRow_em = 1.4;    // a line of a legend
-constexpr double kBelow_em = 4.6;     // tics, label and air between panels and legend
+constexpr double kBelow_em = 6.2;     // tics, label and air between panels and legend
 constexpr double kTicX_em = 5.5;      // room that a number wants along x
 constexpr double kTicY_em = 1.9;      // along y
 constexpr double kAxisMargin = 0.05;  // of the range, beyond what is drawn
@@ -73,7 +73,8 @@ Margins MarginsOf(const Canvas& canvas) {
   Margins margins;
   margins.bottom = kBelow_em + kKeyRow_em * KeyRows(canvas);
   if (!canvas.is_narrow()) return margins;
-  margins.left = margins.between_columns = 6.0;
+  margins.left = 7.2;
+  margins.between_columns = 7.4;
   margins.right = 1.2;
   return margins;
 }
@@ -102,7 +103,7 @@ std::string StartPanels(const PlotData& data, const std::string& title, int rows
   const double length_em = PanelSize_em(data.canvas, rows, columns).x();
   std::ostringstream script;
   script << "set xrange [" << data.start_s << ":" << data.end_s << "]\nset xtics "
-         << NiceStep((data.end_s - data.start_s) * kTicX_em / length_em) << "\n";
+         << TimeStep_s(data.end_s - data.start_s, length_em) << "\n";
   int object = 1;
   for (const Stretch& push : data.pushes) {
     if (push.end_s <= data.start_s || push.start_s >= data.end_s) continue;
@@ -112,6 +113,10 @@ std::string StartPanels(const PlotData& data, const std::string& title, int rows
            << palette::kPush << "\" fillstyle transparent solid 0.16 noborder  # push\n";
   }
   return script.str() + StartMultiplot(data, title, rows, columns);
+}
+
+double TimeStep_s(double duration_s, double length_em) {
+  return NiceStep(duration_s * kTicX_em / length_em);
 }
 
 std::string AxisLines(const std::string& axis, Span span, double length_em) {

@@ -48,7 +48,7 @@ std::string TitleText(const PlotData& data, const std::string& what);
 
 /// Where the panels of a page are, in ems: left, right, bottom and top edge, and between them.
 struct Margins {
-  double left{7.0}, right{1.8}, bottom{0.0}, top{4.2}, between_columns{7.0};
+  double left{7.0}, right{1.8}, bottom{0.0}, top{4.2}, between_columns{8.5};
 };
 Margins MarginsOf(const Canvas& canvas);
 
@@ -66,6 +66,9 @@ std::string StartMultiplot(const PlotData& data, const std::string& title, int r
 
 /// The same, over the run's time, with pushes shaded.
 std::string StartPanels(const PlotData& data, const std::string& title, int rows, int columns);
+
+/// Between tics of time, so that their numbers have room on a panel of that length.
+double TimeStep_s(double duration_s, double length_em);
 
 /// Range and tics of an axis, "x" or "y", that holds `span` on a panel of that length.
 std::string AxisLines(const std::string& axis, Span span, double length_em);

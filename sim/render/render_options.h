@@ -13,9 +13,9 @@ namespace sidestep {
 /// How much work a frame may cost: CPU milliseconds for 640 x 480 pixels, a two-legged robot with
 /// pushes, footholds and captions, in Mesa's llvmpipe on one of two cores with the other one busy.
 enum class RenderQuality {
-  kDraft,   ///< No shadows, coarse shapes: 20 ms.
+  kDraft,   ///< No shadows, coarser shapes: 22 ms.
   kNormal,  ///< A round shadow below the robot, no multisampling: 25 ms.
-  kFine     ///< Shadow map of 2048, 4 samples a pixel: 200 ms.
+  kFine     ///< Shadow map of 2048, 4 samples a pixel: 160 ms.
 };
 
 /// Where the camera stands.

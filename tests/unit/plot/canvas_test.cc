@@ -23,10 +23,10 @@ TEST(CanvasTest, MillimetresAreThoseOfPaper) {
   EXPECT_FALSE(canvas.is_narrow());
 }
 
-TEST(CanvasTest, WithoutAHeightAColumnIsSquareAndAPageIsNot) {
+TEST(CanvasTest, WithoutAHeightAColumnIsUprightAndAPageIsNot) {
   const Canvas column = ReadCanvas("88mm"), page = ReadCanvas("800px");
   EXPECT_TRUE(column.is_narrow());
-  EXPECT_DOUBLE_EQ(column.height_px, column.width_px);
+  EXPECT_DOUBLE_EQ(column.height_px, 1.25 * column.width_px);
   EXPECT_DOUBLE_EQ(page.width_px, 800.0);
   EXPECT_DOUBLE_EQ(page.height_px, 560.0);
   EXPECT_DOUBLE_EQ(page.png_scale, 1.0);

@@ -212,6 +212,22 @@ TEST(PlotRunTest, APapersPlotIsAsLargeAsItWants) {
   EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x05\xdc\0\0\x02\x58", 8)) << "at 300 dpi";
 }
 
+TEST(PlotRunTest, APapersColumnKeepsItsLegend) {
+  const auto dir = FreshTestDir("plots_column_of_paper");
+  WriteSyntheticRun(dir);
+  PlotOptions options;
+  options.canvas = plot::ReadCanvas("88mm");
+  PlotRun(dir, options);
+  const std::string com = TextOf(dir / "plots" / "com_88mm.svg");
+  for (const char* word : {"true", "reference", "believed", "planned by the MPC", "push"}) {
+    EXPECT_TRUE(Has(com, std::string("<text>") + word + "</text>")) << word;
+  }
+  const std::string steps = TextOf(dir / "plots" / "step_adjustment_88mm.svg");
+  for (const char* word : {"left, allowed", "right, planned", "right, taken", "push"}) {
+    EXPECT_TRUE(Has(steps, std::string("<text>") + word + "</text>")) << word;
+  }
+}
+
 TEST(PlotRunTest, AnUnknownPlotTellsTheNearestAndAllThatThereAre) {
   const std::string error = ErrorOf([] { PlotRun(PlottedRun(), {.only = {"com", "topview"}}); });
   EXPECT_TRUE(Has(error, "there is no plot 'topview', did you mean 'top_view'?")) << error;
