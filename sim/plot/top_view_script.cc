@@ -266,9 +266,13 @@ std::string Curves(const PlotData& data, bool has_key) {
                   has_key ? "CoM, reference" : "");
   if (!has_key) return script + "\n";
   const std::string grey = LineStyle(palette::kNominal, "");
-  return script + ", \\\n  keyentry with lines " + grey +
-         "linewidth 1 dashtype (4,3) title 'nominal', \\\n  keyentry with vectors filled head " +
-         grey + "title 'moved', \\\n  keyentry with lines " + grey +
+  const bool has_outlines = std::any_of(data.soles.begin(), data.soles.end(),
+                                        [](const auto& sole) { return sole.size() > 1; });
+  const std::string nominal =
+      has_outlines ? "lines " + grey + "linewidth 1 dashtype (4,3)" : "points pointtype 6 " + grey;
+  return script + ", \\\n  keyentry with " + nominal +
+         " title 'nominal', \\\n  keyentry with vectors filled head " + grey +
+         "title 'moved', \\\n  keyentry with lines " + grey +
          "linewidth 0.6 dashtype (3,3) title 'allowed', \\\n  " + PushKey(data) + "\n";
 }
 
