@@ -7,6 +7,7 @@
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"
+#include "sim/plot/top_view.h"
 #include "sim/process/gnuplot.h"
 
 namespace sidestep::plot {
@@ -14,31 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPushArrow_em = 4.0;
 constexpr double kLeastMove_em = 0.6;  // a shorter arrow would be a speck
 constexpr double kAside_em = 0.9;      // of a step's number, where an arrow or a point is
-constexpr double kRoom_em = 1.6;       // around what is drawn, for its numbers
-constexpr int kMostViewRows = 4;       // that a long walk is broken into
-constexpr double kWorthARow = 0.8;     // another row must draw it this much larger
-constexpr double kFinest_m_per_em = 1e-3;
-
-// The part of the ground that a row of the plot shows, and its scale.
-struct View {
-  Span x;
-  Span y;
-  double m_per_em{0.0};
-  int rows{1};  ///< Each shows length_m of x, one after the other.
-  double length_m{0.0};
-};
-
-Vector2d Placed(const Vector2d& p_F, const Eigen::Vector3d& p_WF, double yaw_rad) {
-  return p_WF.head<2>() + Eigen::Rotation2Dd(yaw_rad) * p_F;
-}
-
-// Where the foot stood, or, if it never landed, where it was to.
-const Eigen::Vector3d& PlaceOf(const Footstep& step) {
-  return step.realised_p_WF ? *step.realised_p_WF : step.adjusted_p_WF;
-}
 
 // A closed line through points of F, as a table's rows; a point foot has no outline.
 std::string Outline(const std::vector<Vector2d>& points_F, const Eigen::Vector3d& p_WF,
@@ -50,88 +28,6 @@ std::string Outline(const std::vector<Vector2d>& points_F, const Eigen::Vector3d
     rows << p.x() << " " << p.y() << "\n";
   }
   return rows.str() + "\n";
-}
-
-std::vector<Vector2d> BoxOf(const Footstep& step) {
-  const Vector2d &low = step.box_lower_m, &high = step.box_upper_m;
-  if (!low.allFinite() || !high.allFinite()) return {};
-  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-}
-
-void IncludePoint(const Vector2d& point, View* view) {
-  view->x.Include(point.x());
-  view->y.Include(point.y());
-}
-
-// All that is drawn but arrows and words, whose size on the ground follows from the scale.
-View ExtentOf(const PlotData& data) {
-  View view;
-  for (const char* path : {"truth_path", "reference_path"}) {
-    view.x.Include(data.curves.XOf(path));
-    view.y.Include(data.curves.YOf(path));
-  }
-  for (const PlottedStep& plotted : data.steps) {
-    const Footstep& step = plotted.step;
-    std::vector<Vector2d> sole = data.soles[plotted.foot];
-    if (sole.empty()) sole.emplace_back(Vector2d::Zero());
-    for (const Vector2d& corner : sole) {
-      IncludePoint(Placed(corner, PlaceOf(step), step.yaw_rad), &view);
-      IncludePoint(Placed(corner, step.nominal_p_WF, step.yaw_rad), &view);
-    }
-    if (!plotted.is_far_moved) continue;
-    for (const Vector2d& corner : BoxOf(step)) {
-      IncludePoint(Placed(corner, step.nominal_p_WF, step.yaw_rad), &view);
-    }
-  }
-  return view;
-}
-
-Vector2d TailOf(const PushMark& mark, double length_m) {
-  const Vector2d force(mark.force_x_N, mark.force_y_N);
-  return Vector2d(mark.x_m, mark.y_m) - length_m * force.normalized();
-}
-
-// Ems on the ground if the extent is broken into that many rows.
-double Scale_m_per_em(const View& extent, const Canvas& canvas, int rows) {
-  const Vector2d panel = PanelSize_em(canvas, rows, 1);
-  const double width = extent.x.length() / rows / std::max(1.0, panel.x() - 2 * kRoom_em);
-  const double height = extent.y.length() / std::max(1.0, panel.y() - 2 * kRoom_em);
-  return std::max({width, height, kFinest_m_per_em});
-}
-
-// One scale for both axes, with as many rows as draw it largest; arrows are as long as words ask.
-View FittedView(const PlotData& data) {
-  View view = ExtentOf(data);
-  for (int rows = 2; rows <= kMostViewRows; ++rows) {
-    const bool is_larger = Scale_m_per_em(view, data.canvas, rows) <
-                           kWorthARow * Scale_m_per_em(view, data.canvas, view.rows);
-    if (is_larger) view.rows = rows;
-  }
-  const Vector2d panel = PanelSize_em(data.canvas, view.rows, 1);
-  for (int pass = 0; pass < 2; ++pass) {  // the arrows' room changes the scale a little
-    view.m_per_em = Scale_m_per_em(view, data.canvas, view.rows);
-    for (const PushMark& mark : data.push_marks) {
-      if (std::hypot(mark.force_x_N, mark.force_y_N) > 0.0) {
-        IncludePoint(TailOf(mark, kPushArrow_em * view.m_per_em), &view);
-      }
-    }
-  }
-  const Vector2d size_m = view.m_per_em * panel;
-  const double y = 0.5 * (view.y.min + view.y.max);
-  const double spare_m = view.rows * size_m.x() - view.x.length();
-  view.length_m = size_m.x();
-  view.x.min -= view.rows > 1 ? std::min(0.5 * spare_m, kRoom_em * view.m_per_em) : 0.5 * spare_m;
-  view.x.max = view.x.min + view.rows * size_m.x();
-  view.y = {y - 0.5 * size_m.y(), y + 0.5 * size_m.y()};
-  return view;
-}
-
-// Beside the tail of a push's arrow.
-Vector2d NewtonsAt(const PushMark& mark, double m_per_em) {
-  const Vector2d tail = TailOf(mark, kPushArrow_em * m_per_em);
-  Vector2d aside = Vector2d(-mark.force_y_N, mark.force_x_N).normalized();
-  if (aside.y() < -1e-6) aside = -aside;
-  return tail + m_per_em * (0.9 + 0.8 * std::abs(aside.x())) * aside;
 }
 
 // Words at places, of which none covers another.
@@ -163,7 +59,7 @@ void AddPushArrows(const PlotData& data, const View& view, const Span& x, Labels
   for (const PushMark& mark : data.push_marks) {
     const double force_N = std::hypot(mark.force_x_N, mark.force_y_N);
     if (!(force_N > 0.0) || !IsIn(x, mark.x_m)) continue;
-    const Vector2d tail = TailOf(mark, kPushArrow_em * view.m_per_em);
+    const Vector2d tail = TailOf(mark, view.m_per_em);
     const Vector2d at = NewtonsAt(mark, view.m_per_em);
     script << "set arrow from " << tail.x() << ", " << tail.y() << " to " << mark.x_m << ", "
            << mark.y_m << " front head size screen 0.012,22 filled linewidth 2 linecolor rgb \""
