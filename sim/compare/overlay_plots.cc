@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 
+#include "sim/palette/palette.h"
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
 #include "sim/process/gnuplot.h"
 #include "sim/record/output_file.h"
-#include "sim/record/run_reader.h"
 
 namespace sidestep {
 namespace {
@@ -22,15 +21,15 @@ using plot::PlotData;
 // How one of the two is drawn.
 struct Look {
   const char* word;
-  const char* data;   // thinned trajectory
-  const char* steps;  // footholds
+  const char* curves;  // their file
+  const char* prefix;  // of their macros
   const char* color;
   const char* line;  // gnuplot's words
   const char* point;
 };
 constexpr std::array<Look, 2> kLooks{
-    {{"A", "a.csv", "a_steps.csv", plot::kTruthColor, "linewidth 1.6", "pointtype 7"},
-     {"B", "b.csv", "b_steps.csv", "#D55E00", "linewidth 1.6 dashtype (5,3)", "pointtype 6"}}};
+    {{"A", "a.bin", "a_", palette::Foot(0), "linewidth 2.4", "pointtype 7"},
+     {"B", "b.bin", "b_", palette::Foot(1), "linewidth 1.4 dashtype (5,3)", "pointtype 6"}}};
 
 // Both runs, and their axes: names and pushes of both, times from the first row to the last.
 struct Overlay {
@@ -38,28 +37,30 @@ struct Overlay {
   std::array<PlotData, 2> runs;
 };
 
-std::string RunCurve(const Look& look, const std::string& x, const std::string& y,
+std::string RunCurve(const Overlay& overlay, std::size_t run, const std::string& curve,
                      const std::string& title) {
-  return "'" + std::string(look.data) + "' using " + GnuplotText(x) + ":" + GnuplotText(y) +
-         " with lines " + LineStyle(look.color, look.line) +
-         (title.empty() ? " notitle" : " title " + GnuplotText(title));
+  return plot::Curve(overlay.runs[run], curve, LineStyle(kLooks[run].color, kLooks[run].line),
+                     title);
 }
 
 std::string KeyOf(const Overlay& overlay, std::size_t run) {
   return std::string(kLooks[run].word) + ": " + overlay.runs[run].title;
 }
 
-// One panel over time: that column of every run that has it.
-std::string TimePanel(const Overlay& overlay, const std::string& column, bool has_key,
+// One panel over time, of `rows`: that column of every run that has it.
+std::string TimePanel(const Overlay& overlay, const std::string& column, bool has_key, int rows,
                       const std::function<bool(const PlotData&)>& has_column) {
   std::string script = "plot NaN notitle";
+  plot::Span span;
   for (std::size_t run = 0; run < kLooks.size(); ++run) {
     if (!has_column(overlay.runs[run])) continue;
-    script += ", \\\n  " + RunCurve(kLooks[run], "time_s", column,
-                                    has_key ? KeyOf(overlay, run) : std::string());
+    span.Include(overlay.runs[run].curves.YOf(column));
+    script +=
+        ", \\\n  " + RunCurve(overlay, run, column, has_key ? KeyOf(overlay, run) : std::string());
   }
   if (has_key) script += ", \\\n  " + plot::PushKey(overlay.axes);
-  return script + "\n";
+  const double height_em = plot::PanelSize_em(overlay.axes.canvas, rows, 1).y();
+  return plot::AxisLines("y", span, height_em) + script + "\n";
 }
 
 bool Always(const PlotData& /*run*/) { return true; }
@@ -77,25 +78,37 @@ std::string ComOverlay(const Overlay& overlay) {
                                 "' offset 0,-0.6\n";
       const std::string column = is_position ? std::string("truth_p_WC_") + axis + "_m"
                                              : std::string("truth_v_WC_") + axis + "_mps";
-      script += TimePanel(overlay, column, is_last && is_position, Always);
+      script += TimePanel(overlay, column, is_last && is_position, 3, Always);
     }
   }
   return script + "unset multiplot\n";
+}
+
+// Realised footholds; x and y.
+std::string StepsTable(const PlotData& data, const std::string& name) {
+  std::string rows;
+  for (const plot::PlottedStep& plotted : data.steps) {
+    const auto& p_WF = plotted.step.realised_p_WF;
+    if (p_WF) rows += plot::Number(p_WF->x()) + " " + plot::Number(p_WF->y()) + "\n";
+  }
+  return plot::DataBlock(name, rows, 2);
 }
 
 std::string StepsOverlay(const Overlay& overlay) {
   std::string script =
       "set title " + GnuplotText(overlay.axes.title + ": footholds and centre of mass from above") +
       "\nset size ratio -1\nset bmargin 6\nset xlabel 'x, forward (m)'\n"
-      "set ylabel 'y, left (m)'\nplot NaN notitle";
+      "set ylabel 'y, left (m)'\n";
+  std::string curves = "plot NaN notitle";
   for (std::size_t run = 0; run < kLooks.size(); ++run) {
     const Look& look = kLooks[run];
-    script += ", \\\n  " + RunCurve(look, "truth_p_WC_x_m", "truth_p_WC_y_m", KeyOf(overlay, run)) +
-              ", \\\n  '" + look.steps + "' using 'x_m':'y_m' with points " + look.point +
-              " pointsize 0.9 linecolor rgb \"" + look.color + "\" title '" + look.word +
-              ": footholds, realised'";
+    const std::string table = std::string(look.prefix) + "steps";
+    script += StepsTable(overlay.runs[run], table);
+    curves += ", \\\n  " + RunCurve(overlay, run, "truth_path", KeyOf(overlay, run)) + ", \\\n  $" +
+              table + " using 1:2 with points " + look.point + " pointsize 0.9 linecolor rgb \"" +
+              look.color + "\" title '" + look.word + ": footholds, realised'";
   }
-  return script + "\n";
+  return script + curves + "\n";
 }
 
 // Feet of both runs, in the first one's order.
@@ -124,7 +137,7 @@ std::string FeetPanels(const Overlay& overlay, const std::string& title,
         return std::find(run.feet.begin(), run.feet.end(), foot) != run.feet.end();
       };
       script += TimePanel(overlay, stem + foot + "_" + axis + "_" + unit,
-                          is_last && foot == feet.front(), has_foot);
+                          is_last && foot == feet.front(), static_cast<int>(axes.size()), has_foot);
     }
   }
   return script + "unset multiplot\n";
@@ -140,20 +153,11 @@ std::string ScriptOf(const std::string& name, const Overlay& overlay) {
                     "truth_f_F_W_", "N");
 }
 
-// Realised footholds; x and y.
-std::string StepsCsv(const fs::path& run_dir) {
-  std::string csv = "x_m,y_m\n";
-  char row[64];
-  for (const Footstep& step : ReadFootsteps(run_dir)) {
-    if (!step.realised_p_WF) continue;
-    std::snprintf(row, sizeof row, "%.7g,%.7g\n", step.realised_p_WF->x(), step.realised_p_WF->y());
-    csv += row;
-  }
-  return csv;
-}
-
 Overlay LoadOverlay(const fs::path& first, const fs::path& second) {
-  Overlay overlay{{}, {plot::LoadPlotData(first), plot::LoadPlotData(second)}};
+  const auto load = [](const fs::path& run_dir, const Look& look) {
+    return plot::LoadPlotData(run_dir, plot::CurveFile(look.curves, look.prefix));
+  };
+  Overlay overlay{{}, {load(first, kLooks[0]), load(second, kLooks[1])}};
   const auto& [a, b] = overlay.runs;
   overlay.axes = a;
   overlay.axes.title = "A and B";
@@ -181,18 +185,23 @@ const std::vector<OverlayPlot>& OverlayPlots() {
 
 void PlotOverlay(const fs::path& first, const fs::path& second, const fs::path& folder) {
   const Overlay overlay = LoadOverlay(first, second);
-  const std::array<fs::path, 2> run_dirs{first, second};
   fs::create_directories(folder);
-  for (std::size_t run = 0; run < kLooks.size(); ++run) {
-    WriteWholeFile(folder / kLooks[run].data, overlay.runs[run].thinned_csv);
-    WriteWholeFile(folder / kLooks[run].steps, StepsCsv(run_dirs[run]));
+  for (const PlotData& run : overlay.runs) {
+    WriteWholeFile(folder / run.curves.file(), run.curves.bytes());
   }
+  std::vector<std::string> files;
   for (const OverlayPlot& one : OverlayPlots()) {
-    const std::string file = one.name + ".gp";
-    WriteWholeFile(folder / file, plot::Preamble(one.name) + ScriptOf(one.name, overlay));
-    RunGnuplot({file}, {}, folder);
-    RunGnuplot({"-e", "format='png'", file}, {}, folder);
+    const std::string body = ScriptOf(one.name, overlay);
+    const std::string definitions =
+        overlay.runs[0].curves.Definitions(body) + overlay.runs[1].curves.Definitions(body);
+    files.push_back(one.name + ".gp");
+    WriteWholeFile(folder / files.back(),
+                   plot::ScriptText(overlay.axes.canvas, one.name, definitions, body));
   }
+  std::vector<std::string> words = files;
+  words.insert(words.end(), {"-e", "format='png'"});
+  words.insert(words.end(), files.begin(), files.end());
+  RunGnuplot(words, {}, folder);
 }
 
 }  // namespace sidestep

@@ -2,32 +2,43 @@
 // Plots of what acts on the body: the push as it is and as it is felt, and how the feet stand.
 #include <array>
 
+#include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"
 #include "sim/process/gnuplot.h"
 
 namespace sidestep::plot {
 namespace {
 
-// A foot that bears less than this has no centre of pressure worth a line.
-constexpr const char* kLeastLoad_N = "5";
-
-std::string TrueAndFelt(const std::string& quantity, const std::string& suffix, bool has_key) {
-  return "plot " +
-         Curve("push_" + quantity + suffix, LineStyle(kTruthColor, "linewidth 1.6"),
-               has_key ? "true" : "") +
+std::string TrueAndFelt(const PlotData& data, const std::string& column, bool has_key) {
+  const std::string felt = "belief_" + column;
+  return YAxis(data, 3, {column, felt}) + "plot " +
+         Curve(data, column, LineStyle(palette::kTruth, kThick), has_key ? "true" : "") +
          ", \\\n  " +
-         Curve("belief_push_" + quantity + suffix,
-               LineStyle(kReferenceColor, "linewidth 1.3 dashtype (6,3)"),
-               has_key ? "believed" : "");
+         Curve(data, felt, LineStyle(palette::kBelief, "linewidth 1"), has_key ? "believed" : "");
 }
 
-// Distance of the centre of pressure from F along an axis of W: -m_y / f_z and m_x / f_z.
-std::string Pressure(const std::string& foot, bool is_x) {
-  const std::string force = "column(" + GnuplotText("truth_f_F_W_" + foot + "_z_N") + ")";
-  const std::string moment =
-      "column(" + GnuplotText("truth_m_F_W_" + foot + (is_x ? "_y_Nm" : "_x_Nm")) + ")";
-  return "(" + force + " > " + kLeastLoad_N + " ? " + (is_x ? "-" : "") + moment + "/" + force +
-         " : NaN)";
+// Heights of all feet, as they are and as they are wanted.
+std::string Heights(const PlotData& data) {
+  std::vector<std::string> curves;
+  std::string plot = "plot " + ZeroLine();
+  for (std::size_t i = 0; i < data.feet.size(); ++i) {
+    const std::string suffix = data.feet[i] + "_z_m";
+    curves.insert(curves.end(), {"truth_p_WF_" + suffix, "swing_p_WF_" + suffix});
+    plot += ", \\\n  " + Curve(data, curves[2 * i], FaintStyle(palette::Foot(i)), "") + ", \\\n  " +
+            Curve(data, curves[2 * i + 1], LineStyle(palette::Foot(i), kDashed), "");
+  }
+  return "set ylabel 'height of F (m)'\n" + YAxis(data, 3, curves, true) + plot + "\n";
+}
+
+std::string Pressures(const PlotData& data, bool is_x) {
+  std::vector<std::string> curves;
+  std::string plot = "plot " + ZeroLine();
+  for (std::size_t i = 0; i < data.feet.size(); ++i) {
+    curves.push_back("pressure_" + data.feet[i] + (is_x ? "_x_m" : "_y_m"));
+    plot += ", \\\n  " + Curve(data, curves.back(), LineStyle(palette::Foot(i)), "");
+  }
+  return std::string("set ylabel 'CoP, ") + (is_x ? "x" : "y") + " from F (m)'\n" +
+         YAxis(data, 3, curves, true) + plot;
 }
 
 }  // namespace
@@ -43,7 +54,8 @@ std::string ExternalWrenchScript(const PlotData& data) {
                          : std::string("set title '") + (is_force ? "force" : "moment about C") +
                                "' offset 0,-0.6\n";
       const std::string suffix = std::string("_") + kAxes[axis] + (is_force ? "_N" : "_Nm");
-      script += TrueAndFelt(is_force ? "force_W" : "torque_C_W", suffix, is_last && is_force);
+      script += TrueAndFelt(data, (is_force ? "push_force_W" : "push_torque_C_W") + suffix,
+                            is_last && is_force);
       if (is_last && is_force) script += ", \\\n  " + PushKey(data);
       script += "\n";
     }
@@ -54,27 +66,12 @@ std::string ExternalWrenchScript(const PlotData& data) {
 std::string FeetScript(const PlotData& data) {
   std::string script = StartPanels(data, "height of the feet and their centres of pressure", 3, 1);
   script +=
-      "set ylabel 'height of F (m)'\nplot 0 with lines linecolor rgb \"#B0B0B0\" "
-      "linewidth 0.5 notitle";
+      Heights(data) + Pressures(data, true) + "\nset xlabel 'time (s)'\n" + Pressures(data, false);
   for (std::size_t i = 0; i < data.feet.size(); ++i) {
-    const std::string suffix = data.feet[i] + "_z_m";
-    script +=
-        ", \\\n  " + Curve("truth_p_WF_" + suffix, LineStyle(FootColor(i), "linewidth 1.5"), "");
-    script += ", \\\n  " + Curve("swing_p_WF_" + suffix,
-                                 LineStyle(FootColor(i), "linewidth 1.1 dashtype (5,3)"), "");
+    script += ", \\\n  keyentry with lines " + FaintStyle(palette::Foot(i)) + " title " +
+              GnuplotText(data.feet[i]);
   }
-  for (const bool is_x : {true, false}) {
-    script += std::string("\nset ylabel 'CoP, ") + (is_x ? "x" : "y") + " from F (m)' offset 1\n";
-    if (!is_x) script += "set xlabel 'time (s)'\n";
-    script += "plot 0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle";
-    for (std::size_t i = 0; i < data.feet.size(); ++i) {
-      script += ", \\\n  '" + std::string(kThinnedFile) +
-                "' using \"time_s\":" + Pressure(data.feet[i], is_x) + " with lines " +
-                LineStyle(FootColor(i), "linewidth 1.4 ") +
-                (is_x ? "notitle" : "title " + GnuplotText(data.feet[i]));
-    }
-  }
-  script += ", \\\n  keyentry with lines " + LineStyle(kNominalColor, "dashtype (5,3)") +
+  script += ", \\\n  keyentry with lines " + LineStyle(palette::kNominal, kDashed) +
             " title 'wanted', \\\n  " + PushKey(data) + "\n";
   return script + "unset multiplot\n";
 }

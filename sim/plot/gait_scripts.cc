@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"
 #include "sim/process/gnuplot.h"
 
@@ -32,22 +33,20 @@ int RowsOf(const PlotData& data) {
                     kMostRows);
 }
 
-// An inline table of bars: start, end and height in the diagram.
-void AddBars(const std::string& name, const std::vector<Stretch>& stretches, double bottom,
-             double top, std::ostream& script) {
-  script << "$" << name << " << END\nstart_s,end_s,bottom,top\n";
+// A table of bars: start, end and height in the diagram, as boxxyerror takes them.
+std::string Bars(const std::string& name, const std::vector<Stretch>& stretches, double bottom,
+                 double top) {
+  std::ostringstream rows;
   for (const Stretch& stretch : stretches) {
-    script << stretch.start_s << "," << stretch.end_s << "," << bottom << "," << top << "\n";
+    rows << stretch.start_s << " " << bottom << " " << stretch.start_s << " " << stretch.end_s
+         << " " << bottom << " " << top << "\n";
   }
-  if (stretches.empty()) script << "NaN,NaN,NaN,NaN\n";  // a table without rows is an error
-  script << "END\n";
+  return DataBlock(name, rows.str(), 6);
 }
 
 std::string BarCurve(const std::string& name, const std::string& style, const std::string& title) {
-  return "$" + name +
-         " using \"start_s\":\"bottom\":\"start_s\":\"end_s\":\"bottom\":\"top\" with "
-         "boxxyerror " +
-         style + (title.empty() ? " notitle" : " title " + GnuplotText(title));
+  return "$" + name + " using 1:2:3:4:5:6 with boxxyerror " + style +
+         (title.empty() ? " notitle" : " title " + GnuplotText(title));
 }
 
 std::string FillStyle(const std::string& color, const std::string& density) {
@@ -60,12 +59,11 @@ void AddTables(const PlotData& data, std::ostream& script) {
   for (std::size_t i = 0; i < data.contacts.size(); ++i) {
     const auto line = static_cast<double>(data.contacts.size() - i);
     const std::string number = std::to_string(i);
-    AddBars("truth" + number, data.contacts[i].truth, line + kTruthBottom, line + kTruthTop,
-            script);
-    AddBars("planned" + number, data.contacts[i].planned, line + kPlannedBottom, line + kPlannedTop,
-            script);
+    script << Bars("truth" + number, data.contacts[i].truth, line + kTruthBottom, line + kTruthTop)
+           << Bars("planned" + number, data.contacts[i].planned, line + kPlannedBottom,
+                   line + kPlannedTop);
   }
-  if (!data.flights.empty()) AddBars("flight", data.flights, -0.2, 0.2, script);
+  if (!data.flights.empty()) script << Bars("flight", data.flights, -0.2, 0.2);
 }
 
 void SetLines(const PlotData& data, std::ostream& script) {
@@ -82,27 +80,28 @@ void SetLines(const PlotData& data, std::ostream& script) {
 void AddGaitNames(const PlotData& data, std::ostream& script) {
   int arrow = 1;
   for (const AskedGaitStart& gait : data.gaits) {
+    if (gait.start_s < data.start_s || gait.start_s >= data.end_s) continue;
     script << "set arrow " << arrow++ << " from " << gait.start_s << ", graph 0 to " << gait.start_s
-           << ", graph 1 nohead linecolor rgb \"" << kNominalColor
+           << ", graph 1 nohead linecolor rgb \"" << palette::kNominal
            << "\" dashtype (4,4)\nset label " << GnuplotText(" " + gait.type) << " at "
-           << gait.start_s << ", graph 0.96 font ',9'\n";
+           << gait.start_s << ", graph 0.96\n";
   }
 }
 
-std::string Bars(const PlotData& data, bool has_key) {
+std::string BarCurves(const PlotData& data, bool has_key) {
   std::string script;
   for (std::size_t i = 0; i < data.contacts.size(); ++i) {
     const std::string number = std::to_string(i);
     script += (i == 0 ? "plot " : ", \\\n  ") +
-              BarCurve("truth" + number, FillStyle(FootColor(i), "0.85"),
+              BarCurve("truth" + number, FillStyle(palette::Foot(i), "0.85"),
                        has_key ? data.feet[i] + ", stands" : "") +
               ", \\\n  " +
-              BarCurve("planned" + number, FillStyle(FootColor(i), "0.25"),
+              BarCurve("planned" + number, FillStyle(palette::Foot(i), "0.25"),
                        has_key ? data.feet[i] + ", planned" : "");
   }
   if (data.flights.empty()) return script;
   return script + ", \\\n  " +
-         BarCurve("flight", FillStyle(kNominalColor, "0.5"), has_key ? "no foot stands" : "");
+         BarCurve("flight", FillStyle(palette::kNominal, "0.5"), has_key ? "no foot stands" : "");
 }
 
 }  // namespace
@@ -112,6 +111,8 @@ std::string GaitScript(const PlotData& data) {
   const int rows = RowsOf(data);
   const double row_s = (data.end_s - data.start_s) / rows;
   script << StartPanels(data, "who stands when", rows, 1);
+  const double length_em = PanelSize_em(data.canvas, rows, 1).x();
+  script << "set xtics " << TimeStep_s(row_s, length_em) << "\n";
   AddTables(data, script);
   SetLines(data, script);
   AddGaitNames(data, script);
@@ -120,7 +121,7 @@ std::string GaitScript(const PlotData& data) {
     script << "set xrange [" << data.start_s + row * row_s << ":"
            << data.start_s + (row + 1) * row_s << "]\n";
     if (is_last) script << "set xlabel 'time (s)'\n";
-    script << Bars(data, is_last);
+    script << BarCurves(data, is_last);
     if (is_last && !data.pushes.empty()) script << ", \\\n  " << PushKey(data);
     script << "\n";
   }

@@ -6,104 +6,34 @@
 #include <utility>
 
 #include "models/support/config_error.h"
-#include "sim/record/run_reader.h"
-#include "sim/record/run_summary.h"
+#include "sim/plot/plot_curves.h"
+#include "sim/plot/sole_outline.h"
+#include "sim/scenario/read_scenario.h"
 
 namespace sidestep::plot {
 namespace {
 
-constexpr std::size_t kMostRows = 2000;       // two samples a pixel of the widest panel
-constexpr std::size_t kMostPhaseRows = 6000;  // the loops of a long run are drawn as such
-
 // Shorter is a bounce, or the first row, before the ground has pushed.
 constexpr double kShortestFlight_s = 0.02;
 
-// m or rad: what moves less, such as a planar robot to its side, has no portrait.
-constexpr double kStill = 1e-4;
-
-// Columns that the scripts draw. Reading checks that each is there.
-std::vector<std::string> PlottedColumns(const std::vector<std::string>& feet) {
-  std::vector<std::string> columns{"time_s", "truth_tilt_rad"};
-  const auto add_vector = [&](const std::string& stem, const std::string& unit) {
-    for (const char* axis : {"_x_", "_y_", "_z_"}) columns.push_back(stem + axis + unit);
-  };
-  for (const char* point : {"truth_p_WC", "belief_p_WC", "reference_p_WC", "mpc_p_WC"}) {
-    add_vector(point, "m");
-  }
-  for (const char* velocity : {"truth_v_WC", "belief_v_WC", "reference_v_WC", "mpc_v_WC"}) {
-    add_vector(velocity, "mps");
-  }
-  add_vector("truth_h_C_W", "kgm2ps");
-  for (const char* push : {"push", "belief_push"}) {
-    add_vector(std::string(push) + "_force_W", "N");
-    add_vector(std::string(push) + "_torque_C_W", "Nm");
-  }
-  for (const std::string& foot : feet) {
-    add_vector("truth_f_F_W_" + foot, "N");
-    add_vector("truth_m_F_W_" + foot, "Nm");
-    add_vector("mpc_f_F_W_" + foot, "N");
-    columns.push_back("truth_p_WF_" + foot + "_z_m");
-    columns.push_back("swing_p_WF_" + foot + "_z_m");
-    add_vector("nominal_p_WF_" + foot, "m");
-    add_vector("adjusted_p_WF_" + foot, "m");
-  }
-  return columns;
-}
-
-struct NamedColumn {
-  std::string name;
-  std::vector<double> values;
-};
-
-std::vector<NamedColumn> ColumnsOf(const CsvTable& trajectory,
-                                   const std::vector<std::string>& names) {
-  std::vector<NamedColumn> columns;
-  for (const std::string& name : names) columns.push_back({name, trajectory.Numbers(name)});
-  return columns;
-}
-
-std::vector<double> RatesOf(const std::vector<double>& values, const std::vector<double>& time_s) {
-  std::vector<double> rates(values.size(), 0.0);
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    rates[i] = (values[i + 1] - values[i - 1]) / (time_s[i + 1] - time_s[i - 1]);
-  }
-  return rates;
-}
-
-// Roll and pitch of the base (rad), yaw first, and their rates by differences.
-std::vector<NamedColumn> AttitudeColumns(const CsvTable& trajectory,
-                                         const std::vector<double>& time_s) {
-  const auto w = trajectory.Numbers("truth_q_WB_w"), x = trajectory.Numbers("truth_q_WB_x");
-  const auto y = trajectory.Numbers("truth_q_WB_y"), z = trajectory.Numbers("truth_q_WB_z");
-  std::vector<double> roll_rad, pitch_rad;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    const double up_y = 2.0 * (w[i] * x[i] + y[i] * z[i]);
-    const double up_z = 1.0 - 2.0 * (x[i] * x[i] + y[i] * y[i]);
-    roll_rad.push_back(std::atan2(up_y, up_z));
-    pitch_rad.push_back(std::asin(std::clamp(2.0 * (w[i] * y[i] - z[i] * x[i]), -1.0, 1.0)));
-  }
-  return {{"truth_roll_rad", roll_rad},
-          {"truth_roll_radps", RatesOf(roll_rad, time_s)},
-          {"truth_pitch_rad", pitch_rad},
-          {"truth_pitch_radps", RatesOf(pitch_rad, time_s)}};
-}
-
-std::string Thinned(const std::vector<NamedColumn>& columns, std::size_t most_rows) {
-  const std::size_t num_rows = columns.front().values.size();
-  const std::size_t stride = (num_rows + most_rows - 1) / most_rows;
-  std::string csv;
-  for (const NamedColumn& column : columns) csv += (csv.empty() ? "" : ",") + column.name;
-  csv += "\n";
-  char cell[32];
-  for (std::size_t row = 0; row < num_rows; row += stride) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double value = columns[i].values[row];
-      std::snprintf(cell, sizeof cell, "%s%.7g", i == 0 ? "" : ",", value);
-      csv += std::isfinite(value) ? cell : (i == 0 ? "" : ",");  // gnuplot skips empty cells
+// Outlines of the soles of `feet`; empty where the robot can't be read or has no such foot.
+std::vector<std::vector<Eigen::Vector2d>> ReadSoles(const std::filesystem::path& run_dir,
+                                                    const std::vector<std::string>& feet) {
+  std::vector<std::vector<Eigen::Vector2d>> soles(feet.size());
+  try {
+    const Scenario scenario = ReadScenario(run_dir / "scenario.yaml", {});
+    for (const FootDescription& foot : scenario.robot.feet) {
+      const auto found = std::find(feet.begin(), feet.end(), foot.name);
+      if (found == feet.end()) continue;
+      std::vector<Eigen::Vector2d> vertices_m;
+      for (Eigen::Index i = 0; i < foot.vertices_m.cols(); ++i) {
+        vertices_m.emplace_back(foot.vertices_m.col(i).head<2>());
+      }
+      soles[static_cast<std::size_t>(found - feet.begin())] = ConvexHull(std::move(vertices_m));
     }
-    csv += "\n";
+  } catch (const ConfigError&) {  // a run outlives its robot's files: its feet are points then
   }
-  return csv;
+  return soles;
 }
 
 // Where `holds` is true of a row, from its time to that of the first row after.
@@ -118,8 +48,8 @@ std::vector<Stretch> StretchesOf(const std::vector<double>& time_s, Holds holds)
   return stretches;
 }
 
-void ReadContactsInto(const CsvTable& trajectory, const std::vector<double>& time_s,
-                      PlotData* data) {
+void ReadContactsInto(const TimedRows& trajectory, PlotData* data) {
+  const std::vector<double>& time_s = trajectory.time_s();
   std::vector<bool> stands(time_s.size(), false);
   for (const std::string& foot : data->feet) {
     const std::vector<double> truth = trajectory.Numbers("truth_contact_" + foot);
@@ -139,14 +69,14 @@ void ReadContactsInto(const CsvTable& trajectory, const std::vector<double>& tim
   });
 }
 
-void ReadPushMarksInto(const CsvTable& trajectory, const std::vector<double>& time_s,
-                       PlotData* data) {
+void ReadPushMarksInto(const TimedRows& trajectory, PlotData* data) {
+  const std::vector<double>& time_s = trajectory.time_s();
   const auto x = trajectory.Numbers("truth_p_WC_x_m"), y = trajectory.Numbers("truth_p_WC_y_m");
   const auto force_x = trajectory.Numbers("push_force_W_x_N");
   const auto force_y = trajectory.Numbers("push_force_W_y_N");
   for (const Stretch& push : data->pushes) {
     const auto at = std::lower_bound(time_s.begin(), time_s.end(), push.start_s);
-    if (at == time_s.end()) continue;
+    if (at == time_s.end() || push.end_s < time_s.front()) continue;
     const auto first = static_cast<std::size_t>(at - time_s.begin());
     PushMark mark{x[first], y[first], 0.0, 0.0};
     for (std::size_t row = first; row < time_s.size() && time_s[row] <= push.end_s; ++row) {
@@ -160,24 +90,7 @@ void ReadPushMarksInto(const CsvTable& trajectory, const std::vector<double>& ti
   }
 }
 
-void ReadPhasesInto(const CsvTable& trajectory, const std::vector<double>& time_s, PlotData* data) {
-  std::vector<NamedColumn> columns = ColumnsOf(
-      trajectory,
-      {"time_s", "truth_p_WC_y_m", "truth_v_WC_y_mps", "truth_p_WC_z_m", "truth_v_WC_z_mps"});
-  for (NamedColumn& column : AttitudeColumns(trajectory, time_s)) {
-    columns.push_back(std::move(column));
-  }
-  data->phase_csv = Thinned(columns, kMostPhaseRows);
-  for (const NamedColumn& column : columns) {
-    const bool is_rate = column.name.ends_with("ps");
-    const auto [min, max] = std::minmax_element(column.values.begin(), column.values.end());
-    if (column.name == "time_s" || is_rate || !(*max - *min > kStill)) continue;
-    data->phases.push_back({column.name, *min, *max});
-  }
-}
-
-void ReadSummaryInto(const std::filesystem::path& run_dir, PlotData* data) {
-  const RunSummary summary = ReadSummary(run_dir);
+void ReadSummaryInto(const RunSummary& summary, PlotData* data) {
   data->title = summary.name + " (" + std::string(EnumName(summary.verdict)) + ")";
   for (const PushSummary& push : summary.pushes) {
     data->pushes.push_back({push.start_s, push.start_s + push.duration_s});
@@ -191,43 +104,82 @@ void ReadSummaryInto(const std::filesystem::path& run_dir, PlotData* data) {
   data->p99_ms = drawn(summary.solve_time.p99_ms);
 }
 
-// What all but the six steps that were moved farthest were moved at most.
-double MovedFarther_m(const std::vector<Footstep>& footsteps) {
-  constexpr std::size_t kMostBoxes = 6;  // more would be a hatch
+double Moved_m(const Footstep& step) {
+  const double moved_m = (step.adjusted_p_WF - step.nominal_p_WF).head<2>().norm();
+  return std::isfinite(moved_m) ? moved_m : 0.0;
+}
+
+void MarkFarMoved(std::vector<PlottedStep>* steps) {
+  constexpr std::size_t kMost = 6;  // more boxes would be a hatch
   constexpr double kLeast_m = 0.01;
-  std::vector<double> moved_m;
-  for (const Footstep& step : footsteps) {
-    const double distance_m = (step.adjusted_p_WF - step.nominal_p_WF).head<2>().norm();
-    if (std::isfinite(distance_m)) moved_m.push_back(distance_m);
+  std::vector<PlottedStep*> by_distance;
+  for (PlottedStep& step : *steps) by_distance.push_back(&step);
+  std::stable_sort(by_distance.begin(), by_distance.end(), [](const auto* a, const auto* b) {
+    return Moved_m(a->step) > Moved_m(b->step);
+  });
+  for (std::size_t i = 0; i < std::min(kMost, by_distance.size()); ++i) {
+    by_distance[i]->is_far_moved = Moved_m(by_distance[i]->step) > kLeast_m;
   }
-  std::sort(moved_m.rbegin(), moved_m.rend());
-  return moved_m.size() > kMostBoxes ? std::max(kLeast_m, moved_m[kMostBoxes]) : kLeast_m;
+}
+
+// Contacts that the stretch of time sees, numbered in the order of all touch-downs.
+void ReadStepsInto(const std::vector<Footstep>& footsteps, double run_start_s, PlotData* data) {
+  std::vector<double> lift_s(data->feet.size(), run_start_s);
+  int number = 0;
+  for (const Footstep& footstep : footsteps) {
+    const auto foot = std::find(data->feet.begin(), data->feet.end(), footstep.foot);
+    if (foot == data->feet.end()) continue;
+    PlottedStep step;
+    step.step = footstep;
+    step.foot = static_cast<std::size_t>(foot - data->feet.begin());
+    step.number = footstep.start_s > run_start_s ? ++number : 0;
+    step.lift_s = lift_s[step.foot];
+    lift_s[step.foot] = footstep.end_s;
+    const bool is_seen =
+        footstep.end_s >= data->start_s && std::min(step.lift_s, footstep.start_s) <= data->end_s;
+    if (is_seen) data->steps.push_back(step);
+  }
+  MarkFarMoved(&data->steps);
 }
 
 }  // namespace
 
-PlotData LoadPlotData(const std::filesystem::path& run_dir) {
-  PlotData data;
-  ReadSummaryInto(run_dir, &data);
-  const CsvTable trajectory = CsvTable::Read(run_dir / "trajectory.csv");
-  if (trajectory.num_rows() == 0) {
+PlottedRun ReadPlottedRun(const std::filesystem::path& run_dir) {
+  PlottedRun run{ReadSummary(run_dir),
+                 CsvTable::Read(run_dir / "trajectory.csv"),
+                 ReadFootsteps(run_dir),
+                 CsvTable::Read(run_dir / "mpc.csv"),
+                 {}};
+  if (run.trajectory.num_rows() == 0) {
     throw ConfigError((run_dir / "trajectory.csv").string() + ": error: holds no row");
   }
-  data.feet = FeetOf(trajectory);
-  const std::vector<double> time_s = trajectory.Numbers("time_s");
-  data.start_s = time_s.front();
-  data.end_s = std::max(time_s.back(), time_s.front() + 1e-3);  // an axis needs a length
-  ReadContactsInto(trajectory, time_s, &data);
-  data.thinned_csv = Thinned(ColumnsOf(trajectory, PlottedColumns(data.feet)), kMostRows);
-  ReadPushMarksInto(trajectory, time_s, &data);
-  ReadPhasesInto(trajectory, time_s, &data);
-  const std::vector<Footstep> footsteps = ReadFootsteps(run_dir);
-  data.has_footsteps = !footsteps.empty();
-  data.moved_m = MovedFarther_m(footsteps);
-  const CsvTable solves = CsvTable::Read(run_dir / "mpc.csv");
-  data.has_solves = solves.num_rows() > 0;
-  data.has_cpu_times = solves.has("cpu_ms");
+  run.soles = ReadSoles(run_dir, FeetOf(run.trajectory));
+  return run;
+}
+
+PlotData SelectPlotData(const PlottedRun& run, std::optional<Stretch> stretch, CurveFile curves) {
+  PlotData data;
+  data.curves = std::move(curves);
+  ReadSummaryInto(run.summary, &data);
+  data.feet = FeetOf(run.trajectory);
+  data.soles = run.soles;
+  const TimedRows trajectory(run.trajectory, stretch);
+  if (trajectory.is_empty()) {
+    throw ConfigError(data.title + ": error: the run has no time from " +
+                      std::to_string(stretch->start_s) + " to " + std::to_string(stretch->end_s) +
+                      " s");
+  }
+  data.start_s = trajectory.time_s().front();
+  data.end_s = std::max(trajectory.time_s().back(), data.start_s + 1e-3);  // an axis has a length
+  ReadContactsInto(trajectory, &data);
+  ReadPushMarksInto(trajectory, &data);
+  ReadStepsInto(run.footsteps, run.trajectory.Numbers("time_s").front(), &data);
+  AddCurves(trajectory, TimedRows(run.solves, stretch), &data);
   return data;
+}
+
+PlotData LoadPlotData(const std::filesystem::path& run_dir, CurveFile curves) {
+  return SelectPlotData(ReadPlottedRun(run_dir), {}, std::move(curves));
 }
 
 }  // namespace sidestep::plot

@@ -11,22 +11,43 @@ namespace {
 
 // Chosen by eye. From the front and the robot's right: it comes towards the viewer, and both a
 // sideways and a forward push show their length.
-constexpr double kAzimuth_deg = 145.0;
-constexpr double kElevation_deg = -17.0;
+struct Direction {
+  double azimuth_deg;
+  double elevation_deg;
+};
+constexpr Direction kQuarterView{145.0, -17.0};
+constexpr Direction kSideView{90.0, -8.0};    // looks along y: forward is to the right
+constexpr Direction kFrontView{180.0, -8.0};  // it comes towards the viewer
+constexpr Direction kAboveView{90.0, -89.0};  // as the plot from above: forward to the right
 constexpr double kDistancePerComHeight = 4.1;
 constexpr double kLookAtPerComHeight = 1.05;
 constexpr double kSmoothing_s = 0.6;  // half the averaging window
 constexpr double kTypicalAspect = 4.0 / 3.0;
 constexpr double kFixedMargin = 1.1;  // metres of path to metres of distance
 
+Direction DirectionOf(CameraView view) {
+  switch (view) {
+    case CameraView::kSide:
+      return kSideView;
+    case CameraView::kFront:
+      return kFrontView;
+    case CameraView::kAbove:
+      return kAboveView;
+    case CameraView::kQuarter:
+      break;
+  }
+  return kQuarterView;
+}
+
 }  // namespace
 
 CameraPose CameraAt(VideoCamera kind, const std::vector<Eigen::Vector3d>& p_WC, double dt_s,
-                    std::size_t row, double com_height_m, double aspect) {
+                    std::size_t row, double com_height_m, double aspect, CameraView view) {
   SIDESTEP_REQUIRE(row < p_WC.size(), row);
   CameraPose camera;
-  camera.azimuth_deg = kAzimuth_deg;
-  camera.elevation_deg = kElevation_deg;
+  const Direction direction = DirectionOf(view);
+  camera.azimuth_deg = direction.azimuth_deg;
+  camera.elevation_deg = direction.elevation_deg;
   camera.distance_m = kDistancePerComHeight * com_height_m * std::max(1.0, kTypicalAspect / aspect);
   if (kind == VideoCamera::kFixed) {
     Eigen::Vector3d lower = p_WC.front();

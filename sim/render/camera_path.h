@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/render/render_options.h"
 #include "sim/scenario/scenario.h"
 
 namespace sidestep::render {
@@ -27,6 +28,7 @@ struct CameraPose {
 /// @param dt_s    Time between rows.
 /// @param aspect  Width by height; a narrow frame steps back.
 CameraPose CameraAt(VideoCamera kind, const std::vector<Eigen::Vector3d>& p_WC, double dt_s,
-                    std::size_t row, double com_height_m, double aspect);
+                    std::size_t row, double com_height_m, double aspect,
+                    CameraView view = CameraView::kQuarter);
 
 }  // namespace sidestep::render

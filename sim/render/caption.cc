@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "sim/render/caption_colors.h"
+#include "sim/render/decoration.h"
 #include "sim/render/outcome.h"
 
 namespace sidestep::render {
@@ -58,35 +59,53 @@ void AddVerdict(const RunSummary& summary, bool is_final, std::vector<Caption>* 
     for (const ReasonSummary& reason : summary.reasons) {
       if (kinds.find(reason.kind) == std::string::npos) kinds += " " + reason.kind;
     }
-    captions->push_back(
-        {CaptionPlace::kTopRight, Printable(verdict + kinds, kMaxText), color, false});
+    captions->push_back({CaptionPlace::kTopRight, Printable(verdict + kinds, kMaxText), color});
     return;
   }
   if (summary.verdict == VerdictClass::kPass && HasFallen(summary)) {
     captions->push_back({CaptionPlace::kBottom, "FELL", kFailRed, true});
-    captions->push_back({CaptionPlace::kBottom, "as expected: " + verdict, color, false});
+    captions->push_back({CaptionPlace::kBottom, "as expected: " + verdict, color});
     return;
   }
   captions->push_back({CaptionPlace::kBottom, Printable(verdict, kMaxText), color, true});
   for (std::size_t i = 0; i < std::min(kMaxReasons, summary.reasons.size()); ++i) {
     captions->push_back(
-        {CaptionPlace::kBottom, Printable(ReasonText(summary.reasons[i]), kMaxText), color, false});
+        {CaptionPlace::kBottom, Printable(ReasonText(summary.reasons[i]), kMaxText), color});
   }
 }
 
 }  // namespace
 
-std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const RunSummary& summary) {
+std::vector<Caption> CaptionsAt(const StateRow& row, double end_s, const RunSummary& summary,
+                                double speed) {
   std::vector<Caption> captions;
   const auto add_left = [&](const std::string& text, const Eigen::Vector3f& color) {
-    captions.push_back({CaptionPlace::kTopLeft, Printable(text, kMaxText), color, false});
+    captions.push_back({CaptionPlace::kTopLeft, Printable(text, kMaxText), color});
   };
   if (!summary.name.empty()) add_left(summary.name, kInk);
-  add_left(Format("%.2f s / %.2f s", row.time_s, end_s), kInk);
+  const std::string slow = speed == 1.0 ? "" : Format(", %.3gx", speed);
+  add_left(Format("%.2f s / %.2f s", row.time_s, end_s) + slow, kInk);
   const bool is_pushed = row.push_force_W.norm() > 0.0;
   add_left(PushText(row, summary), is_pushed ? kPushMagenta : kInk);
   AddVerdict(summary, row.time_s > end_s - kFinal_s, &captions);
   return captions;
+}
+
+std::vector<Caption> LegendAt(const StateRow& row, double end_s, const RunSummary& summary,
+                              const std::vector<std::string>& feet) {
+  if (row.time_s > end_s - kFinal_s) return {};
+  std::vector<Caption> legend;
+  const auto add = [&](const std::string& text, const Color& color) {
+    legend.push_back({CaptionPlace::kBottomLeft, Printable(text, kMaxText), kInk, false,
+                      Eigen::Vector3f(color.head<3>())});
+  };
+  if (!summary.pushes.empty()) add("push", kPushColor);
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    add(feet[i] + ": foothold, force", FootColor(i));
+  }
+  add("foothold of the gait", kNominalColor);
+  add("path of the CoM", kComTraceColor);
+  return legend;
 }
 
 std::string Printable(const std::string& text, std::size_t max_length) {

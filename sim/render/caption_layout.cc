@@ -17,6 +17,7 @@ TextSize SizeOf(const Caption& caption, const mjrContext& renderer) {
   for (const char c : caption.text) size.width_px += widths[static_cast<unsigned char>(c)];
   const int line_px = caption.is_big ? renderer.charHeightBig : renderer.charHeight;
   size.width_px += line_px;  // half a line of air on either side
+  if (caption.swatch) size.width_px += line_px;
   size.height_px = line_px + line_px / 2;
   return size;
 }
@@ -24,6 +25,7 @@ TextSize SizeOf(const Caption& caption, const mjrContext& renderer) {
 int Left(CaptionPlace place, const mjrRect& viewport, int margin_px, int width_px) {
   switch (place) {
     case CaptionPlace::kTopLeft:
+    case CaptionPlace::kBottomLeft:
       return viewport.left + margin_px;
     case CaptionPlace::kTopRight:
       return viewport.left + viewport.width - margin_px - width_px;
@@ -41,23 +43,46 @@ Caption Fitted(Caption caption, int width_px, const mjrContext& renderer) {
   return caption;
 }
 
+// A line of a legend: a square of its colour, then its words.
+void DrawSwatch(const Caption& caption, const mjrRect& box, const Eigen::Vector3f& ground,
+                const mjrContext& renderer) {
+  mjr_rectangle(box, ground.x(), ground.y(), ground.z(), 0.7F);
+  const int side_px = renderer.charHeight * 3 / 4, air_px = (box.height - side_px) / 2;
+  const Eigen::Vector3f& color = *caption.swatch;
+  mjr_rectangle({box.left + air_px, box.bottom + air_px, side_px, side_px}, color.x(), color.y(),
+                color.z(), 1.0F);
+  const int words_px = box.left + side_px + 2 * air_px;
+  int text_px = renderer.charHeight / 2;
+  for (const char c : caption.text) text_px += renderer.charWidth[static_cast<unsigned char>(c)];
+  mjr_label({words_px, box.bottom, text_px, box.height}, mjFONT_NORMAL, caption.text.c_str(),
+            ground.x(), ground.y(), ground.z(), 0.0F, 1.0F, 1.0F, 1.0F, &renderer);
+}
+
 void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect viewport,
                const mjrContext& renderer) {
   const int margin_px = std::max(4, viewport.height / 48);
-  int height_px = 0;
+  int height_px = 0, width_px = 0;  // lines of a legend are of one width
   for (const Caption& caption : captions) {
-    if (caption.place == place) height_px += SizeOf(caption, renderer).height_px;
+    if (caption.place != place) continue;
+    height_px += SizeOf(caption, renderer).height_px;
+    if (caption.swatch) width_px = std::max(width_px, SizeOf(caption, renderer).width_px);
   }
-  int top = place == CaptionPlace::kBottom ? viewport.bottom + margin_px + height_px
-                                           : viewport.bottom + viewport.height - margin_px;
+  const bool is_below = place == CaptionPlace::kBottom || place == CaptionPlace::kBottomLeft;
+  int top = is_below ? viewport.bottom + margin_px + height_px
+                     : viewport.bottom + viewport.height - margin_px;
   for (const Caption& whole : captions) {
     if (whole.place != place) continue;
     const Caption caption = Fitted(whole, viewport.width - 2 * margin_px, renderer);
-    const TextSize size = SizeOf(caption, renderer);
+    TextSize size = SizeOf(caption, renderer);
+    size.width_px = std::max(size.width_px, width_px);
     top -= size.height_px;
     const mjrRect box{Left(place, viewport, margin_px, size.width_px), top, size.width_px,
                       size.height_px};
     const Eigen::Vector3f& color = caption.background;
+    if (caption.swatch) {
+      DrawSwatch(caption, box, color, renderer);
+      continue;
+    }
     mjr_label(box, caption.is_big ? mjFONT_BIG : mjFONT_NORMAL, caption.text.c_str(), color.x(),
               color.y(), color.z(), 0.85F, 1.0F, 1.0F, 1.0F, &renderer);
   }
@@ -67,8 +92,8 @@ void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect
 
 void DrawCaptions(const std::vector<Caption>& captions, mjrRect viewport,
                   const mjrContext& renderer) {
-  for (const CaptionPlace place :
-       {CaptionPlace::kTopLeft, CaptionPlace::kTopRight, CaptionPlace::kBottom}) {
+  for (const CaptionPlace place : {CaptionPlace::kTopLeft, CaptionPlace::kTopRight,
+                                   CaptionPlace::kBottom, CaptionPlace::kBottomLeft}) {
     DrawStack(captions, place, viewport, renderer);
   }
 }

@@ -2,7 +2,6 @@
 #include "sim/render/decoration.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sidestep::render {
@@ -15,6 +14,7 @@ constexpr double kShortestPush = 0.25;  // so that a weak push is still seen
 constexpr double kPushRadius = 0.028;
 constexpr double kContactRadius = 0.010;
 constexpr double kTraceRadius = 0.007;
+constexpr double kShadowRadius = 0.30;
 
 constexpr double kNoForce_N = 1e-9;      // logged zeros are exact; this only rejects them
 constexpr double kShortestBar_m = 1e-6;  // a bar needs a direction
@@ -22,12 +22,7 @@ constexpr double kLoadedShare = 0.02;    // of the longest arrow; shorter ones a
 
 }  // namespace
 
-Color FootColor(std::size_t foot) {
-  static const std::array<Color, 4> kColors{
-      Color{0.00F, 0.45F, 0.70F, 0.75F}, Color{0.90F, 0.62F, 0.00F, 0.75F},
-      Color{0.00F, 0.62F, 0.45F, 0.75F}, Color{0.80F, 0.47F, 0.65F, 0.75F}};
-  return kColors[foot % kColors.size()];
-}
+Color FootColor(std::size_t foot) { return Painted(palette::Foot(foot), 0.75F); }
 
 DrawScale ScaleFor(const StateLog& log, double com_height_m) {
   double largest_push_N = 0.0;
@@ -71,7 +66,8 @@ std::vector<Decoration> PushArrow(const StateRow& row, const DrawScale& scale) {
 
 std::vector<Decoration> ContactForceArrows(const StateRow& row, const DrawScale& scale) {
   std::vector<Decoration> arrows;
-  for (const FootRow& foot : row.feet) {
+  for (std::size_t i = 0; i < row.feet.size(); ++i) {
+    const FootRow& foot = row.feet[i];
     const double length_m = std::min(foot.f_F_W.norm() * scale.contact_m_per_N,
                                      1.5 * kLongestContact * scale.com_height_m);
     if (!(length_m > kLoadedShare * scale.com_height_m)) continue;
@@ -80,10 +76,24 @@ std::vector<Decoration> ContactForceArrows(const StateRow& row, const DrawScale&
     arrow.from = foot.p_WF;
     arrow.to = foot.p_WF + length_m * foot.f_F_W.normalized();
     arrow.radius_m = kContactRadius * scale.com_height_m;
-    arrow.color = kContactForceColor;
+    arrow.color = FootColor(i);
     arrows.push_back(arrow);
   }
   return arrows;
+}
+
+std::vector<Decoration> GroundShadow(const StateRow& row, const Eigen::Vector3d& p_WC,
+                                     const DrawScale& scale) {
+  if (row.feet.empty()) return {};
+  double floor_m = row.feet.front().nominal_p_WF.z();
+  for (const FootRow& foot : row.feet) floor_m = std::min(floor_m, foot.nominal_p_WF.z());
+  if (!std::isfinite(floor_m)) return {};
+  Decoration shadow;
+  shadow.shape = Shape::kDisc;
+  shadow.from = {p_WC.x(), p_WC.y(), floor_m};
+  shadow.radius_m = kShadowRadius * scale.com_height_m;
+  shadow.color = kShadowColor;
+  return {shadow};
 }
 
 std::vector<Decoration> ComTrace(const std::vector<Eigen::Vector3d>& p_WC, const DrawScale& scale) {

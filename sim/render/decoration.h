@@ -6,27 +6,36 @@
 // Pure functions from a logged row to shapes in W. Nothing here knows MuJoCo or OpenGL.
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
+#include "sim/palette/palette.h"
 #include "sim/record/run_reader.h"
 
 namespace sidestep::render {
 
 using Color = Eigen::Vector4f;  ///< Red, green, blue, alpha in 0..1.
 
-// Okabe and Ito's palette, which colour-blind people can tell apart; magenta is kept for pushes.
-inline const Color kPushColor{0.90F, 0.00F, 0.40F, 1.0F};
-inline const Color kContactForceColor{0.00F, 0.62F, 0.45F, 0.85F};
-inline const Color kNominalColor{0.35F, 0.37F, 0.40F, 0.9F};
-inline const Color kComTraceColor{0.34F, 0.71F, 0.91F, 0.9F};
+/// A colour of the palette, which plots share.
+inline Color Painted(const char* hex, float alpha) {
+  const std::array<float, 3> channels = palette::Channels(hex);
+  return {channels[0], channels[1], channels[2], alpha};
+}
 
-/// The colour of a foot's adjusted footholds, by its place in the log's list of feet.
+inline const Color kPushColor = Painted(palette::kPush, 1.0F);
+inline const Color kNominalColor = Painted(palette::kNominal, 0.9F);
+inline const Color kComTraceColor = Painted(palette::kTruth, 0.9F);
+inline const Color kShadowColor{0.0F, 0.0F, 0.0F, 0.28F};
+
+/// The colour of a foot's adjusted footholds and of the force on it, by its place in the log's list
+/// of feet.
 Color FootColor(std::size_t foot);
 
 enum class Shape {
   kArrow,  ///< From `from` to its tip `to`, shaft of half width `radius_m`.
   kLine,   ///< A round bar from `from` to `to`.
+  kDisc,   ///< A flat round plate on the floor at `from`.
   kSlab,   ///< A flat box on the floor centred at `from`, half extents `half_m`, turned by yaw_rad.
   kBall    ///< At `from`.
 };
@@ -58,6 +67,11 @@ std::vector<Decoration> PushArrow(const StateRow& row, const DrawScale& scale);
 
 /// A thin arrow per foot that bears load, from the ground upwards.
 std::vector<Decoration> ContactForceArrows(const StateRow& row, const DrawScale& scale);
+
+/// A round shadow on the floor below the CoM, as of a lamp above: it tells height and place where
+/// no shadows are computed.
+std::vector<Decoration> GroundShadow(const StateRow& row, const Eigen::Vector3d& p_WC,
+                                     const DrawScale& scale);
 
 /// A line through past positions of the CoM, oldest first, fading to the oldest; and the same on
 /// the floor, where the robot does not hide it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/render/film.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -29,11 +30,14 @@ std::array<Heading, 2> HeadingsOf(const std::array<FilmedRun, 2>& runs) {
     const RunSummary summary = ReadSummary(runs[i].run_dir);
     headings[i].label = runs[i].label.empty() ? summary.name : runs[i].label;
     headings[i].outcome = render::OutcomeOf(summary);
+    double& from_s = headings[i].outcome.from_s;  // in the film's time
+    from_s = std::max(0.0, (from_s - runs[i].from_s) / runs[i].speed);
   }
   return headings;
 }
 
 std::filesystem::path VideoOf(const FilmedRun& run) {
+  if (!run.video.empty()) return run.video;
   std::filesystem::path video = run.run_dir / "video.mp4";
   if (std::filesystem::is_regular_file(video)) return video;
   throw ConfigError(video.string() + ": error: the run has no video; `sidestep render` draws it");

@@ -12,7 +12,10 @@ namespace sidestep {
 /// A run and what to call it.
 struct FilmedRun {
   std::filesystem::path run_dir;
-  std::string label;  ///< Empty: the scenario's name.
+  std::string label;              ///< Empty: the scenario's name.
+  std::filesystem::path video{};  ///< Empty: the run's video.mp4.
+  double from_s{0.0};             ///< The run's time at the video's start.
+  double speed{1.0};              ///< Seconds of the run in a second of the video.
 };
 
 /// Joins both runs' video.mp4, left and right, on one time axis: t = 0 is each run's start, the

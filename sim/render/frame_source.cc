@@ -38,18 +38,24 @@ FrameContent ContentAt(const Recording& recording, const RenderOptions& options,
   const StateRow& row = log.rows[content.row];
   content.camera =
       CameraAt(options.camera, recording.p_WC, log.dt_s, content.row, recording.scale.com_height_m,
-               static_cast<double>(options.width_px) / options.height_px);
+               static_cast<double>(options.width_px) / options.height_px, options.view);
 
   const auto append = [&](std::vector<Decoration> more) {
     std::move(more.begin(), more.end(), std::back_inserter(content.decorations));
   };
+  if (options.quality == RenderQuality::kNormal) {
+    append(GroundShadow(row, recording.p_WC[content.row], recording.scale));
+  }
   append(FootholdMarks(row, log.feet, recording.footsteps, recording.soles, kFootholdMemory_s,
                        recording.scale));
   append(ContactForceArrows(row, recording.scale));
   append(ComTrace(TracePoints(recording, content.row), recording.scale));
   append(PushArrow(row, recording.scale));
   const double end_s = log.rows.front().time_s + log.duration_s();
-  content.captions = CaptionsAt(row, end_s, recording.summary);
+  content.captions = CaptionsAt(row, end_s, recording.summary, options.speed);
+  for (Caption& line : LegendAt(row, end_s, recording.summary, log.feet)) {
+    content.captions.push_back(std::move(line));
+  }
   return content;
 }
 

@@ -3,14 +3,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "models/support/config_error.h"
 #include "models/support/require.h"
 
 namespace sidestep::render {
 
-int FrameCount(const StateLog& log, int fps) {
+Clip ClipOf(const StateLog& log, std::optional<double> from_s, std::optional<double> to_s,
+            double speed) {
+  SIDESTEP_REQUIRE(!log.rows.empty(), log.rows.size());
+  SIDESTEP_REQUIRE(speed > 0.0, speed);
+  const double start_s = log.rows.front().time_s, end_s = start_s + log.duration_s();
+  const double from = std::max(start_s, from_s.value_or(start_s));
+  const double to = std::min(end_s, to_s.value_or(end_s));
+  if (from < to) return {from - start_s, to - from, speed};
+  std::ostringstream text;
+  text << "sidestep: error: nothing from " << from_s.value_or(start_s) << " s to "
+       << to_s.value_or(end_s) << " s: the run is from " << start_s << " s to " << end_s << " s";
+  throw ConfigError(text.str());
+}
+
+int FrameCount(const Clip& clip, int fps) {
   SIDESTEP_REQUIRE(fps > 0, fps);
-  return std::max(1, static_cast<int>(std::lround(log.duration_s() * fps)));
+  return std::max(1, static_cast<int>(std::lround(clip.duration_s / clip.speed * fps)));
 }
 
 std::size_t RowAt(const StateLog& log, double time_s) {
@@ -19,7 +35,9 @@ std::size_t RowAt(const StateLog& log, double time_s) {
   return static_cast<std::size_t>(std::clamp(std::round(time_s / log.dt_s), 0.0, last));
 }
 
-double FrameTime_s(int index, int fps) { return static_cast<double>(index) / fps; }
+double FrameTime_s(const Clip& clip, int index, int fps) {
+  return clip.from_s + clip.speed * static_cast<double>(index) / fps;
+}
 
 std::vector<FrameSpan> SplitFrames(int frames, int jobs) {
   SIDESTEP_REQUIRE(frames > 0, frames);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "sim/scenario/scenario.h"
 
@@ -12,9 +13,17 @@ namespace sidestep {
 /// How much work a frame may cost: CPU milliseconds for 640 x 480 pixels, a two-legged robot with
 /// pushes, footholds and captions, in Mesa's llvmpipe on one of two cores with the other one busy.
 enum class RenderQuality {
-  kDraft,   ///< No shadows, no multisampling: 30 ms.
-  kNormal,  ///< Shadow map of 1024, no multisampling: 60 ms.
-  kFine     ///< Shadow map of 2048, 4 samples a pixel: 200 ms.
+  kDraft,   ///< No shadows, coarser shapes: 22 ms.
+  kNormal,  ///< A round shadow below the robot, no multisampling: 25 ms.
+  kFine     ///< Shadow map of 2048, 4 samples a pixel: 160 ms.
+};
+
+/// Where the camera stands.
+enum class CameraView {
+  kQuarter,  ///< In front, to the robot's right, a little above.
+  kSide,     ///< To its right.
+  kFront,
+  kAbove
 };
 
 /// What `sidestep render` may set. Frame size and rate as in the scenario's `video`.
@@ -24,8 +33,12 @@ struct RenderOptions {
   int fps{30};
   VideoCamera camera{VideoCamera::kFollow};
   RenderQuality quality{RenderQuality::kNormal};
-  bool has_captions{true};  ///< Words in the picture; frames lower than 240 never have any.
-  int jobs{1};              ///< Processes that draw a share of the frames each.
+  CameraView view{CameraView::kQuarter};
+  std::optional<double> from_s{};  ///< The film's part of the run's time; empty: from its start,
+  std::optional<double> to_s{};    ///< to its end.
+  double speed{1.0};               ///< Seconds of the run in a second of the film.
+  bool has_captions{true};         ///< Words in the picture; frames lower than 240 never have any.
+  int jobs{1};                     ///< Processes that draw a share of the frames each.
 
   /// Called with the share of frames drawn so far, in 0..1; may be empty.
   std::function<void(double share)> on_progress;

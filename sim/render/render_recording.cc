@@ -31,12 +31,13 @@ void CheckOptions(const RenderOptions& options) {
 }
 
 void DrawSpan(const Recording& recording, mjModel* model, const RenderOptions& options,
-              const FrameSpan& span, const std::filesystem::path& part,
+              const Clip& clip, const FrameSpan& span, const std::filesystem::path& part,
               const std::function<void()>& report_frame) {
   SceneRenderer renderer(model, options);
   VideoWriter video(part, options.width_px, options.height_px, options.fps);
   for (int frame = span.first; frame < span.end; ++frame) {
-    const FrameContent content = ContentAt(recording, options, FrameTime_s(frame, options.fps));
+    const FrameContent content =
+        ContentAt(recording, options, FrameTime_s(clip, frame, options.fps));
     video.Add(renderer.Draw(recording.log.rows[content.row].qpos, content));
     report_frame();
   }
@@ -82,10 +83,11 @@ void Await(const SegmentProcesses& processes, int frames,
 }  // namespace
 
 void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
-                 const std::filesystem::path& mp4) {
+                 const std::filesystem::path& film) {
   CheckOptions(options);
-  const int frames = FrameCount(recording.log, options.fps);
-  const ScratchDir scratch(mp4);
+  const Clip clip = ClipOf(recording.log, options.from_s, options.to_s, options.speed);
+  const int frames = FrameCount(clip, options.fps);
+  const ScratchDir scratch(film);
   std::vector<std::filesystem::path> parts;
   SegmentProcesses processes;
   for (const FrameSpan& span : SplitFrames(frames, options.jobs)) {
@@ -93,12 +95,14 @@ void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions
         scratch.path() / ("part" + std::to_string(parts.size()) + ".mkv");
     parts.push_back(part);
     processes.push_back(std::make_unique<SegmentProcess>([&](const auto& report_frame) {
-      DrawSpan(recording, model, options, span, part, report_frame);
+      DrawSpan(recording, model, options, clip, span, part, report_frame);
     }));
   }
   Await(processes, frames, options.on_progress);
   JoinVideos(parts, scratch.path(), scratch.path() / "video.mp4");
-  scratch.MoveOut("video.mp4", mp4);
+  const bool is_gif = film.extension() == ".gif";
+  if (is_gif) WriteGif(scratch.path() / "video.mp4", options.fps, scratch.path() / "video.gif");
+  scratch.MoveOut(is_gif ? "video.gif" : "video.mp4", film);
 }
 
 void RenderFrames(const Recording& recording, mjModel* model, const RenderOptions& options,

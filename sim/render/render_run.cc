@@ -36,9 +36,14 @@ RenderOptions RenderOptionsOf(const std::filesystem::path& run_dir) {
 }
 
 void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& options) {
+  RenderClip(run_dir, options, run_dir / "video.mp4");
+}
+
+void RenderClip(const std::filesystem::path& run_dir, const RenderOptions& options,
+                const std::filesystem::path& film) {
   const LoadedRun run = Load(run_dir);
-  ListRunFiles(run_dir, {"video.mp4"});
-  render::RenderVideo(run.recording, run.model.get(), options, run_dir / "video.mp4");
+  if (film.parent_path() == run_dir) ListRunFiles(run_dir, {film.filename().string()});
+  render::RenderVideo(run.recording, run.model.get(), options, film);
 }
 
 void WriteFramePngs(const std::filesystem::path& run_dir, std::vector<TimedPicture> pictures,

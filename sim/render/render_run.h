@@ -19,6 +19,11 @@ RenderOptions RenderOptionsOf(const std::filesystem::path& run_dir);
 /// @throws ConfigError if a file is missing or broken, or ffmpeg fails (with its words).
 void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& options);
 
+/// The same into a file of its own, MP4 or GIF, of a part of the run if options say so. One in the
+/// run's folder goes on its list of files.
+void RenderClip(const std::filesystem::path& run_dir, const RenderOptions& options,
+                const std::filesystem::path& film);
+
 /// Writes single frames as PNG, each at `time_s` of the run's time; before its start or after its
 /// end, its first or last one. @throws as RenderRun.
 void WriteFramePngs(const std::filesystem::path& run_dir, std::vector<TimedPicture> pictures,

@@ -16,7 +16,8 @@ constexpr int kMaxShapes = 2000;
 constexpr double kFieldOfView_deg = 40.0;    // narrower than MuJoCo's 45: less distortion
 constexpr float kShadowHalfWidth_m = 1.6F;   // a small map over a small square stays sharp
 constexpr int kLeastCaptionHeight_px = 240;  // in smaller frames words would hide the robot
-constexpr float kArrowGlow = 0.6F;           // arrows keep their colour on the shaded side
+constexpr double kDiscHalfHeight_m = 5e-4;
+constexpr float kArrowGlow = 0.6F;  // arrows keep their colour on the shaded side
 
 struct QualitySettings {
   int shadow_map_px;  // 0: no shadows
@@ -28,13 +29,13 @@ struct QualitySettings {
 QualitySettings SettingsOf(RenderQuality quality) {
   switch (quality) {
     case RenderQuality::kDraft:
-      return {0, 0, 14, 8};
+      return {0, 0, 10, 5};
     case RenderQuality::kFine:
       return {2048, 4, 28, 16};
     case RenderQuality::kNormal:
       break;
   }
-  return {1024, 0, 16, 8};
+  return {0, 0, 14, 8};
 }
 
 void ApplyQuality(const RenderOptions& options, mjModel* model) {
@@ -50,9 +51,12 @@ void ApplyQuality(const RenderOptions& options, mjModel* model) {
 }
 
 int FontScale(int height_px) {
-  if (height_px < 320) return mjFONTSCALE_50;
-  if (height_px < 480) return mjFONTSCALE_100;
-  return height_px < 720 ? mjFONTSCALE_150 : mjFONTSCALE_200;
+  constexpr double kPercentAPixel = 100.0 / 480.0;  // MuJoCo's own size in its usual window
+  constexpr int kStep = 50;                         // its fonts come in these
+  const double percent = kPercentAPixel * height_px;
+  const int steps = static_cast<int>(std::lround(percent / kStep));
+  return std::clamp(kStep * steps, static_cast<int>(mjFONTSCALE_50),
+                    static_cast<int>(mjFONTSCALE_300));
 }
 
 }  // namespace
@@ -136,6 +140,12 @@ void SceneRenderer::AddDecoration(const Decoration& decoration) {
       mjv_makeConnector(geom, type, radius_m, a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
       // MuJoCo 2.2 draws an arrow from its origin to half its length.
       if (type == mjGEOM_ARROW) geom->size[2] *= 2.0F;
+      break;
+    }
+    case Shape::kDisc: {
+      const std::array<double, 3> size{radius_m, kDiscHalfHeight_m, 0.0};
+      mjv_initGeom(geom, mjGEOM_CYLINDER, size.data(), decoration.from.data(), nullptr,
+                   decoration.color.data());
       break;
     }
     case Shape::kSlab: {

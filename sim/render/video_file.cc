@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/render/video_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -66,6 +67,17 @@ void JoinVideos(const std::vector<std::filesystem::path>& parts,
   RunTool({"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "concat",
            "-safe", "0", "-i", FileOperand(list), "-c", "copy", "-movflags", "+faststart", "-f",
            "mp4", FileOperand(mp4)});
+}
+
+void WriteGif(const std::filesystem::path& video, int fps, const std::filesystem::path& gif) {
+  constexpr int kFastest = 25;
+  const std::string rate = std::to_string(std::min(fps, kFastest));
+  RunTool({"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-i",
+           FileOperand(video), "-filter_complex",
+           "fps=" + rate +
+               ",split[colours][frames];[colours]palettegen=stats_mode=diff[palette];"
+               "[frames][palette]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle",
+           "-f", "gif", FileOperand(gif)});
 }
 
 void WritePng(const std::vector<std::uint8_t>& pixels, int width_px, int height_px,

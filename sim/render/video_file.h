@@ -36,6 +36,11 @@ class VideoWriter {
 void JoinVideos(const std::vector<std::filesystem::path>& parts,
                 const std::filesystem::path& scratch_dir, const std::filesystem::path& mp4);
 
+/// Turns a video into a GIF that is shown again and again, in colours of its own, at `fps` or, as
+/// a GIF's time is in hundredths of a second, at 25 a second if that is less.
+/// @throws ConfigError with ffmpeg's words.
+void WriteGif(const std::filesystem::path& video, int fps, const std::filesystem::path& gif);
+
 /// Writes one picture as PNG; pixels as in VideoWriter::Add. @throws ConfigError on failure.
 void WritePng(const std::vector<std::uint8_t>& pixels, int width_px, int height_px,
               const std::filesystem::path& file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `film` as the shell sees it: what it writes, and what it refuses.
+// `film` and `render` as the shell sees them: what they write, and what they refuse.
 
 #include <gtest/gtest.h>
 
@@ -82,6 +82,70 @@ TEST(FilmCommandTest, MistakesAreTwoAndOneLineAndLeaveNothing) {
   folder.Write("run/video.mp4", "mine");
   EXPECT_EQ(Sidestep({"film", run, run, "-o", run / "video.mp4", "--force"}).exit_code, 2);
   EXPECT_EQ(TextOf(run / "video.mp4"), "mine");
+}
+
+TEST(RenderCommandTest, APartOfARunIsDrawnAsAskedBesideItsVideo) {
+  const TempFolder folder;
+  const fs::path run = folder.path() / "run";
+  RunInto(folder, run, "{size: [80, 64], fps: 10}");
+  const std::string before = TextOf(run / "video.mp4");
+  const ProcessResult result =
+      Sidestep({"render", run, "--from", "0.1", "--to", "0.2", "--speed", "0.25", "--camera",
+                "side", "--size", "96x64", "--gif", "-q", "-j", "1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, (run / "clip.gif").string() + "\n");
+  const std::string gif = TextOf(run / "clip.gif");
+  EXPECT_EQ(gif.substr(0, 6), "GIF89a");
+  EXPECT_EQ(gif.substr(6, 4), std::string("\x60\0\x40\0", 4)) << "96 x 64";
+  EXPECT_EQ(TextOf(run / "video.mp4"), before) << "the run's own video stays";
+  EXPECT_NE(TextOf(run / "run_files.txt").find("clip.gif"), std::string::npos);
+}
+
+TEST(RenderCommandTest, TwoRunsAreDrawnSideBySideWithoutVideosOfTheirOwn) {
+  const TempFolder folder;
+  const fs::path left = folder.path() / "left", right = folder.path() / "right";
+  RunInto(folder, left, "false");
+  RunInto(folder, right, "false");
+  const ProcessResult result = Sidestep(
+      {"render", left, right, "--side-by-side", "--size", "96x64", "--to", "0.2", "-q", "-j", "1"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GT(fs::file_size(left / "side_by_side.mp4"), 0U);
+  for (const fs::path& run : {left, right}) {
+    EXPECT_FALSE(fs::exists(run / "video.mp4"));
+    for (const auto& entry : fs::directory_iterator(run)) {
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".render")) << entry.path();
+    }
+  }
+}
+
+TEST(RenderCommandTest, MistakesAreTwoAndOneLineThatTellsWhatWasExpected) {
+  const TempFolder folder;
+  const fs::path run = folder.path() / "run";
+  RunInto(folder, run, "false");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
+      {{run, "--time", "0.1"}, "--time requires --frame"},
+      {{run, "--frame", "f.png", "--time", "-1"}, "not a time"},
+      {{run, "--frame", "f.png", "--gif"}, "excludes"},
+      {{run, "--from", "0.2", "--to", "0.1"}, "the run is from 0 s to 0.3"},
+      {{run, "--from", "nan"}, "not a time"},
+      {{run, "--speed", "0"}, "range"},
+      {{run, "--camera", "beside"}, "follow"},
+      {{run, "--size", "95x64"}, "expected WIDTHxHEIGHT"},
+      {{run, "--size", "96x64px"}, "expected WIDTHxHEIGHT"},
+      {{run, "-o", folder.path() / "film.avi"}, "expected a name in .mp4"},
+      {{run, "-o", folder.path() / "film.gif"}, "--gif"},
+      {{run, run}, "two with --side-by-side"},
+      {{run, "--side-by-side"}, "two runs"},
+      {{run, folder.path() / "absent", "--side-by-side"}, "is not a folder"}};
+  for (const auto& [arguments, expected] : mistakes) {
+    std::vector<std::string> words{"render"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const ProcessResult result = Sidestep(words);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(words);
+    ExpectOneLine(result.err);
+    EXPECT_NE(result.err.find(expected), std::string::npos) << result.err;
+  }
+  EXPECT_FALSE(fs::exists(run / "clip.mp4"));
 }
 
 }  // namespace

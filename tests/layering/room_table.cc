@@ -23,7 +23,7 @@ const Folders kDoor{"controller/controller.h", "controller/make_controller.h"};
 const Folders kScenario = kRobot + Folders{"controller/types", "sim/scenario"};
 const Folders kWorld = kScenario + Folders{"sim/world"};
 // What shows or checks a run afterwards: it reads folders of runs and may start programs.
-const Folders kTools = kWorld + Folders{"sim/record", "sim/verdict", "sim/process"};
+const Folders kTools = kWorld + Folders{"sim/record", "sim/verdict", "sim/process", "sim/palette"};
 
 std::vector<Room> ModelRooms() {
   return {
@@ -74,6 +74,7 @@ std::vector<Room> SimRooms() {
            Folders{"sim/sensors", "sim/record", "sim/verdict", "sim/process/interrupt.h"}},
       // Physics of a robot and its gait; of the controller only its settings and its robot's legs.
       {"sim/limit", kScenario + Folders{"controller/model"}},
+      {"sim/palette", {}},  // plots and films in the same colours
       {"sim/process", kSupport},
       {"sim/render", kTools, true},
       {"sim/plot", kTools},

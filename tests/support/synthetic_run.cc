@@ -187,6 +187,11 @@ void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run
       << "}\nvideo: {size: [160, 120], fps: 20}\n";
 }
 
+void GiveItSoles(const std::filesystem::path& dir) {
+  std::ofstream(dir / "scenario.yaml")
+      << "sidestep: 1\ncontrol: {mode: passive}\nrobot: biped\nname: shod\nduration_s: 1\n";
+}
+
 namespace {
 
 // A folder of this process alone, since ctest runs cases side by side; gone when the process ends.

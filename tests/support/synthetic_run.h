@@ -25,6 +25,9 @@ struct SyntheticRun {
 /// Creates `dir` with all files that a run leaves but video, plots and report.
 void WriteSyntheticRun(const std::filesystem::path& dir, const SyntheticRun& run = {});
 
+/// Gives the feet of such a run the soles of the biped, rectangles, in place of the toy's points.
+void GiveItSoles(const std::filesystem::path& dir);
+
 /// A fresh empty folder for the running test, under the system's temporary folder. The same
 /// test asking again gets it emptied.
 std::filesystem::path FreshTestDir(const std::string& name);

@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <numbers>
 #include <sstream>
 
+#include "models/support/config_error.h"
 #include "sim/plot/plot_script.h"
 #include "sim/record/run_reader.h"
 #include "sim/record/run_summary.h"
@@ -142,42 +145,86 @@ const plot::PlotData& Pitching() {
   return kData;
 }
 
+// A curve as gnuplot reads it.
+std::vector<Eigen::Vector2f> SamplesOf(const plot::CurveFile& curves, const std::string& name) {
+  const std::string macro = curves.Macro(name);
+  const std::string line = curves.Definitions(macro);
+  const auto number = [&](const std::string& key) {
+    return std::stoul(line.substr(line.find(key) + key.size()));
+  };
+  std::vector<Eigen::Vector2f> samples(number("record="));
+  std::memcpy(static_cast<void*>(samples.data()), curves.bytes().data() + number("skip="),
+              samples.size() * sizeof(Eigen::Vector2f));
+  return samples;
+}
+
 TEST(PlotDataTest, PitchAndItsRateAreThoseOfTheBase) {
-  std::istringstream csv(Pitching().phase_csv);
-  std::string line;
-  std::getline(csv, line);
-  ASSERT_EQ(line,
-            "time_s,truth_p_WC_y_m,truth_v_WC_y_mps,truth_p_WC_z_m,truth_v_WC_z_mps,truth_roll_rad,"
-            "truth_roll_radps,truth_pitch_rad,truth_pitch_radps");
-  int rows = 0;
-  while (std::getline(csv, line)) {
-    std::istringstream cells(line);
-    std::vector<double> numbers;
-    for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::stod(cell));
-    ASSERT_EQ(numbers.size(), 9u);
-    const double phase_rad = 2.0 * std::numbers::pi * numbers[0];
-    EXPECT_NEAR(numbers[7], 0.1 * std::sin(phase_rad), 1e-7);
-    if (rows++ == 0 || numbers[0] > 0.997) continue;  // the ends have no difference
-    EXPECT_NEAR(numbers[8], 0.2 * std::numbers::pi * std::cos(phase_rad), 1e-4);
+  // Pitch 0.1 sin(phase) against 0.2 pi cos(phase): an ellipse, but for the ends of the run, which
+  // have no difference. Before the push, that is the first fifth of it.
+  const auto samples = SamplesOf(Pitching().curves, "truth_pitch_rad_before");
+  ASSERT_GT(samples.size(), 10U);
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const Eigen::Vector2d sample = samples[i].cast<double>();
+    const Eigen::Vector2d unit(sample.x() / 0.1, sample.y() / (0.2 * std::numbers::pi));
+    EXPECT_NEAR(unit.norm(), 1.0, 1e-3) << i;
+    EXPECT_GE(unit.x(), -1e-3) << "the first quarter of the sine";
   }
-  EXPECT_EQ(rows, 500);
 }
 
 TEST(PlotDataTest, WhatDoesNotMoveHasNoPortrait) {
   const plot::PlotData& data = Pitching();
-  for (const plot::PhaseRange& phase : data.phases) {
-    EXPECT_NE(phase.column, "truth_p_WC_y_m");
-    EXPECT_NE(phase.column, "truth_roll_rad");
+  EXPECT_EQ(data.phases, (std::vector<std::string>{"truth_pitch_rad"}));
+  plot::Span pitch_rad;
+  for (const char* when : {"before", "pushed", "after"}) {
+    pitch_rad.Include(data.curves.XOf(std::string("truth_pitch_rad_") + when));
   }
-  ASSERT_FALSE(data.phases.empty());
-  const plot::PhaseRange& pitch = data.phases.back();
-  EXPECT_EQ(pitch.column, "truth_pitch_rad");
-  EXPECT_NEAR(pitch.min, -0.1, 1e-6);
-  EXPECT_NEAR(pitch.max, 0.1, 1e-6);
+  EXPECT_NEAR(pitch_rad.min, -0.1, 1e-6);
+  EXPECT_NEAR(pitch_rad.max, 0.1, 1e-6);
   const std::string script = plot::PhasePortraitScript(data);
   EXPECT_NE(script.find("pitch of the base"), std::string::npos);
   EXPECT_EQ(script.find("roll of the base"), std::string::npos);
-  EXPECT_NE(script.find("set xtics 0.05\n"), std::string::npos) << "a fifth of 0.2 is 0.04";
+}
+
+TEST(PlotDataTest, StepsAreNumberedByTouchDownAndTheFarthestMovedAreMarked) {
+  const fs::path dir = FreshTestDir("steps");
+  WriteSyntheticRun(dir, {.duration_s = 2.0});
+  std::ofstream(dir / "footsteps.csv", std::ios::app)
+      << "left,1,1.2,2,0.2,0.08,0,0.205,0.08,0,0.2,0.08,0,0,-0.1,-0.1,0.1,0.1,0\n";
+  const plot::PlotData data = plot::LoadPlotData(dir);
+  ASSERT_EQ(data.steps.size(), 4U);
+  EXPECT_EQ(data.steps[0].number, 0) << "stood from the start";
+  EXPECT_EQ(data.steps[1].number, 0);
+  EXPECT_EQ(data.steps[2].number, 1);
+  EXPECT_EQ(data.steps[3].number, 2);
+  EXPECT_TRUE(data.steps[2].is_far_moved) << "5 cm";
+  EXPECT_FALSE(data.steps[3].is_far_moved) << "5 mm";
+  EXPECT_DOUBLE_EQ(data.steps[2].lift_s, data.steps[1].step.end_s);
+}
+
+TEST(PlotDataTest, SolesAreThoseOfTheRobotAndPointsWhereThatIsGone) {
+  const fs::path dir = FreshTestDir("soles");
+  WriteSyntheticRun(dir);
+  EXPECT_EQ(plot::LoadPlotData(dir).soles.at(0).size(), 1U) << "a point foot";
+  ::sidestep::testing::GiveItSoles(dir);
+  EXPECT_EQ(plot::LoadPlotData(dir).soles.at(0).size(), 4U);
+  fs::remove(dir / "scenario.yaml");
+  const plot::PlotData data = plot::LoadPlotData(dir);
+  ASSERT_EQ(data.soles.size(), 2U);
+  EXPECT_TRUE(data.soles[0].empty());
+  EXPECT_NE(plot::TopViewScript(data).find("with points pointtype 7"), std::string::npos);
+}
+
+TEST(PlotDataTest, AStretchHoldsItsOwnTimeAndWhatItSees) {
+  const fs::path dir = FreshTestDir("stretch");
+  WriteSyntheticRun(dir, {.duration_s = 2.0, .push_start_s = 1.0});
+  const plot::PlottedRun run = plot::ReadPlottedRun(dir);
+  const plot::PlotData data = plot::SelectPlotData(run, plot::Stretch{0.9, 1.25});
+  EXPECT_NEAR(data.start_s, 0.9, 1e-9);
+  EXPECT_NEAR(data.end_s, 1.25, 1e-9);
+  EXPECT_NEAR(data.curves.XOf("truth_p_WC_x_m").max, 1.25, 1e-9);
+  EXPECT_EQ(data.push_marks.size(), 1U);
+  EXPECT_TRUE(plot::SelectPlotData(run, plot::Stretch{0.0, 0.5}).push_marks.empty());
+  EXPECT_THROW(plot::SelectPlotData(run, plot::Stretch{5.0, 6.0}), ConfigError);
 }
 
 }  // namespace

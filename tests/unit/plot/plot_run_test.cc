@@ -49,7 +49,8 @@ const std::filesystem::path& PlottedRun() {
   static const std::filesystem::path kDir = [] {
     auto dir = FreshTestDir("plots");
     WriteSyntheticRun(dir, {.name = "it's_a_toy", .duration_s = 2.0, .push_start_s = 0.5});
-    PlotRun(dir, PlotFiles::kSvgAndPng);
+    ::sidestep::testing::GiveItSoles(dir);
+    PlotRun(dir, {.formats = {"svg", "png"}});
     return dir;
   }();
   return kDir;
@@ -86,7 +87,7 @@ TEST(PlotRunTest, TitlesUnitsAndFeetAreWritten) {
   };
   EXPECT_TRUE(Has(svg("com"), "centre of mass"));
   EXPECT_TRUE(Has(svg("com"), "(m/s)"));
-  EXPECT_TRUE(Has(svg("top_view"), "left, adjusted"));
+  EXPECT_TRUE(Has(svg("top_view"), "left, stood"));
   EXPECT_TRUE(Has(svg("contact_forces"), "right, MPC"));
   EXPECT_TRUE(Has(svg("external_wrench"), "moment about C"));
   EXPECT_TRUE(Has(svg("external_wrench"), "believed"));
@@ -110,21 +111,128 @@ std::vector<Eigen::Vector2d> Numbers(const std::string& table) {
   return points;
 }
 
-TEST(PlotRunTest, BoxesOfTheTopViewAreTurnedByTheFootsYaw) {
-  // gnuplot tables what it would draw; the last foothold is turned by 0.3 rad about (0.1, -0.08).
+// What gnuplot would draw: it tables that.
+std::vector<Eigen::Vector2d> Tabled(const std::string& plot) {
   const auto plots = PlottedRun() / "plots";
-  const std::string script = TextOf(plots / "top_view.gp");
-  RunTool({"gnuplot", "-e", "set table 'top_view.txt'", "top_view.gp"}, "", plots);
-  const std::vector<Eigen::Vector2d> drawn = Numbers(TextOf(plots / "top_view.txt"));
+  RunTool({"gnuplot", "-e", "set table 'table.txt'", plot + ".gp"}, "", plots);
+  return Numbers(TextOf(plots / "table.txt"));
+}
+
+void ExpectDrawn(const std::vector<Eigen::Vector2d>& drawn, const Eigen::Vector2d& expected) {
+  EXPECT_TRUE(std::any_of(drawn.begin(), drawn.end(), [&](const Eigen::Vector2d& point) {
+    return (point - expected).norm() < 1e-4;
+  })) << expected.transpose();
+}
+
+TEST(PlotRunTest, BoxesAndSolesOfTheTopViewAreTurnedByTheFootsYaw) {
+  // The last foothold is turned by 0.3 rad; its box is about (0.1, -0.08), its sole where it stood.
+  const std::vector<Eigen::Vector2d> drawn = Tabled("top_view");
   const Eigen::Rotation2Dd turn(0.3);
   for (const Eigen::Vector2d& corner :
        {Eigen::Vector2d(-0.05, -0.03), Eigen::Vector2d(0.05, -0.03), Eigen::Vector2d(0.05, 0.07),
         Eigen::Vector2d(-0.05, 0.07)}) {
-    const Eigen::Vector2d expected = Eigen::Vector2d(0.1, -0.08) + turn * corner;
-    EXPECT_TRUE(std::any_of(drawn.begin(), drawn.end(), [&](const Eigen::Vector2d& point) {
-      return (point - expected).norm() < 1e-4;
-    })) << expected.transpose();
+    ExpectDrawn(drawn, Eigen::Vector2d(0.1, -0.08) + turn * corner);
   }
+  const plot::PlotData data = plot::LoadPlotData(PlottedRun());
+  ASSERT_EQ(data.soles.at(1).size(), 4U);
+  for (const Eigen::Vector2d& corner : data.soles[1]) {
+    ExpectDrawn(drawn, Eigen::Vector2d(0.118, -0.032) + turn * corner);
+  }
+}
+
+// Ranges of x and y that a script sets last.
+std::pair<plot::Span, plot::Span> RangesOf(const std::string& script) {
+  const auto range = [&](const std::string& axis) {
+    const std::string words = "set " + axis + "range [";
+    plot::Span span;
+    char colon = 0;
+    std::istringstream(script.substr(script.rfind(words) + words.size())) >> span.min >> colon >>
+        span.max;
+    return span;
+  };
+  return {range("x"), range("y")};
+}
+
+TEST(PlotRunTest, RangesHoldAllThatIsDrawn) {
+  const auto [x, y] = RangesOf(TextOf(PlottedRun() / "plots" / "top_view.gp"));
+  ASSERT_FALSE(x.is_empty() || y.is_empty());
+  for (const Eigen::Vector2d& point : Tabled("top_view")) {
+    EXPECT_TRUE(point.x() >= x.min && point.x() <= x.max) << point.transpose();
+    EXPECT_TRUE(point.y() >= y.min && point.y() <= y.max) << point.transpose();
+  }
+}
+
+TEST(PlotRunTest, TheAllowedAdjustmentIsABandFromLiftOffToTheNext) {
+  const std::string script = TextOf(PlottedRun() / "plots" / "step_adjustment.gp");
+  EXPECT_TRUE(Has(script, "with boxxyerror"));
+  EXPECT_FALSE(Has(script, "yerrorbars"));
+  EXPECT_TRUE(Has(script, "0.6 -0.03 0.6 1.99 -0.03 0.07"))
+      << "of the right foot's step to the side";
+}
+
+TEST(PlotRunTest, SolveTimesHaveALogarithmicAxisOfWholeDecades) {
+  const std::string script = TextOf(PlottedRun() / "plots" / "mpc_time.gp");
+  EXPECT_TRUE(Has(script, "set logscale y 10")) << script;
+  EXPECT_TRUE(Has(script, "set yrange [1:100]")) << "4 to 6.8 ms, deadline 50 ms";
+}
+
+TEST(PlotRunTest, EveryPlotHasALegend) {
+  for (const std::string& name : PlotNames()) {
+    const std::string script = TextOf(PlottedRun() / "plots" / (name + ".gp"));
+    EXPECT_TRUE(Has(script, " title '")) << name;
+    EXPECT_TRUE(Has(script, "set key")) << name;
+  }
+}
+
+TEST(PlotRunTest, TheTimeAroundEachPushIsDrawnInFilesOfItsOwn) {
+  const auto dir = FreshTestDir("plots_around");
+  WriteSyntheticRun(dir, {.duration_s = 2.0, .push_start_s = 0.8});
+  const auto pictures = PlotRun(dir, {.only = {"com"}, .around_s = 0.3});
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0], dir / "plots" / "com_push1.svg");
+  EXPECT_TRUE(Has(TextOf(dir / "plots" / "com_push1.gp"), "set xrange [0.5:1.2]"));
+  EXPECT_TRUE(Has(TextOf(pictures[0]), "toy_push_left (PASS), push 1"));
+  const std::string listed = TextOf(dir / "run_files.txt");
+  for (const char* file : {"com_push1.gp", "com_push1.svg", "curves_push1.bin"}) {
+    EXPECT_TRUE(Has(listed, std::string("plots/") + file)) << "else --force would leave it";
+  }
+  EXPECT_FALSE(std::filesystem::exists(dir / "plots" / "com.svg"));
+}
+
+TEST(PlotRunTest, APapersPlotIsAsLargeAsItWants) {
+  const auto dir = FreshTestDir("plots_paper");
+  WriteSyntheticRun(dir);
+  PlotOptions options{.only = {"com"}, .formats = {"svg", "pdf", "png"}};
+  options.canvas = plot::ReadCanvas("127x50.8mm");
+  PlotRun(dir, options);
+  EXPECT_TRUE(Has(TextOf(dir / "plots" / "com_127x50.8mm.svg"), "width=\"480\" height=\"192\""));
+  const std::string pdf = TextOf(dir / "plots" / "com_127x50.8mm.pdf");
+  EXPECT_TRUE(Has(pdf, "360 144")) << "points, 72 an inch";
+  const std::string png = TextOf(dir / "plots" / "com_127x50.8mm.png");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x05\xdc\0\0\x02\x58", 8)) << "at 300 dpi";
+}
+
+TEST(PlotRunTest, APapersColumnKeepsItsLegend) {
+  const auto dir = FreshTestDir("plots_column_of_paper");
+  WriteSyntheticRun(dir);
+  PlotOptions options;
+  options.canvas = plot::ReadCanvas("88mm");
+  PlotRun(dir, options);
+  const std::string com = TextOf(dir / "plots" / "com_88mm.svg");
+  for (const char* word : {"true", "reference", "believed", "planned by the MPC", "push"}) {
+    EXPECT_TRUE(Has(com, std::string("<text>") + word + "</text>")) << word;
+  }
+  const std::string steps = TextOf(dir / "plots" / "step_adjustment_88mm.svg");
+  for (const char* word : {"left, allowed", "right, planned", "right, taken", "push"}) {
+    EXPECT_TRUE(Has(steps, std::string("<text>") + word + "</text>")) << word;
+  }
+}
+
+TEST(PlotRunTest, AnUnknownPlotTellsTheNearestAndAllThatThereAre) {
+  const std::string error = ErrorOf([] { PlotRun(PlottedRun(), {.only = {"com", "topview"}}); });
+  EXPECT_TRUE(Has(error, "there is no plot 'topview', did you mean 'top_view'?")) << error;
+  EXPECT_TRUE(Has(error, "momentum, mpc_time")) << error;
+  EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 0) << error;
 }
 
 TEST(PlotRunTest, AScriptDrawsItsPlotAgainByItself) {
@@ -132,14 +240,19 @@ TEST(PlotRunTest, AScriptDrawsItsPlotAgainByItself) {
   const std::string before = TextOf(plots / "com.svg");
   std::filesystem::remove(plots / "com.svg");
   RunTool({"gnuplot", "com.gp"}, "", plots);
-  EXPECT_EQ(TextOf(plots / "com.svg").size(), before.size());
+  const auto curves = [](const std::string& svg) {
+    return std::count(svg.begin(), svg.end(), 'M');
+  };
+  EXPECT_EQ(curves(TextOf(plots / "com.svg")), curves(before)) << "but for gnuplot's ids";
 }
 
 TEST(PlotRunTest, ALongRunIsThinned) {
   const auto dir = FreshTestDir("plots_long");
   WriteSyntheticRun(dir, {.duration_s = 5.0, .dt_s = 0.001});
-  const std::string csv = plot::LoadPlotData(dir).thinned_csv;
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 1667) << "every third of 5000 rows";
+  const plot::PlotData data = plot::LoadPlotData(dir);
+  const std::size_t rows = 5000, curves = 60;
+  EXPECT_LT(data.curves.bytes().size(), rows * curves * 2 * sizeof(float) / 10)
+      << "smooth curves need few samples";
 }
 
 TEST(PlotRunTest, ARunWithoutPushesStepsAndSolvesIsPlotted) {
@@ -164,7 +277,7 @@ TEST(PlotRunTest, AMissingFileOrColumnIsNamed) {
   const auto dir = FreshTestDir("plots_column");
   WriteSyntheticRun(dir);
   std::ofstream(dir / "trajectory.csv") << "time_s\n0\n";
-  EXPECT_TRUE(Has(ErrorOf([&] { PlotRun(dir); }), "has no column 'truth_tilt_rad'"));
+  EXPECT_TRUE(Has(ErrorOf([&] { PlotRun(dir); }), "has no column 'truth_p_WC_x_m'"));
 }
 
 // Foreign folders hold any names. In gnuplot's double quotes a backtick runs a command.

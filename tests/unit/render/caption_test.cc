@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+
+#include "sim/palette/palette.h"
 
 namespace sidestep::render::caption_test {
 namespace {
@@ -75,6 +78,25 @@ TEST(CaptionTest, ASummaryWithoutAnythingIsNoError) {
 TEST(CaptionTest, TextThatTheFontLacksIsReplacedAndLongTextCut) {
   EXPECT_EQ(Printable("a\tb\xC3\xA9", 10), "a?b??");
   EXPECT_EQ(Printable("abcdefghij", 6), "abcd..");
+}
+
+TEST(CaptionTest, TheLegendTellsTheColoursThatPlotsHaveToo) {
+  const auto legend = LegendAt(RowAtTime(1.0), 4.0, FailedRun(), {"left", "right"});
+  ASSERT_EQ(legend.size(), 5U);
+  EXPECT_TRUE(Says(legend, "push"));
+  EXPECT_TRUE(Says(legend, "right: foothold, force"));
+  const std::array<float, 3> right = palette::Channels(palette::Foot(1));
+  ASSERT_TRUE(legend[2].swatch.has_value());
+  EXPECT_TRUE(legend[2].swatch->isApprox(Eigen::Vector3f(right[0], right[1], right[2])));
+  RunSummary unpushed = FailedRun();
+  unpushed.pushes.clear();
+  EXPECT_FALSE(Says(LegendAt(RowAtTime(1.0), 4.0, unpushed, {"left"}), "push"));
+  EXPECT_TRUE(LegendAt(RowAtTime(3.5), 4.0, FailedRun(), {"left"}).empty()) << "the verdict's";
+}
+
+TEST(CaptionTest, ASlowFilmTellsItsSpeed) {
+  EXPECT_TRUE(Says(CaptionsAt(RowAtTime(0.5), 4.0, FailedRun(), 0.25), "0.50 s / 4.00 s, 0.25x"));
+  EXPECT_FALSE(Says(CaptionsAt(RowAtTime(0.5), 4.0, FailedRun(), 1.0), "s, "));
 }
 
 }  // namespace

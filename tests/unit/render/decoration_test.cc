@@ -191,5 +191,25 @@ TEST_F(FootholdMarksTest, TheOutlineEnclosesTheSole) {
   EXPECT_LT(reach_m, 0.11);
 }
 
+TEST(DecorationTest, TheRoundShadowLiesOnTheLowestFloorBelowTheCom) {
+  StateRow row;
+  row.feet.resize(2);
+  row.feet[0].nominal_p_WF << 0.0, 0.1, 0.25;
+  row.feet[1].nominal_p_WF << 0.0, -0.1, 0.05;
+  const auto shadow = GroundShadow(row, {0.3, -0.2, 0.9}, {.com_height_m = 0.6});
+  ASSERT_EQ(shadow.size(), 1U);
+  EXPECT_EQ(shadow[0].shape, Shape::kDisc);
+  EXPECT_TRUE(shadow[0].from.isApprox(Eigen::Vector3d(0.3, -0.2, 0.05)));
+  EXPECT_LT(shadow[0].color.w(), 0.5F) << "marks below it are seen";
+  row.feet.clear();
+  EXPECT_TRUE(GroundShadow(row, {0.3, -0.2, 0.9}, {.com_height_m = 0.6}).empty());
+}
+
+TEST(DecorationTest, ColoursAreThoseOfThePalette) {
+  EXPECT_TRUE(Painted("#FF0080", 0.5F).isApprox(Color(1.0F, 0.0F, 128.0F / 255.0F, 0.5F)));
+  EXPECT_TRUE(FootColor(1).isApprox(Painted(palette::Foot(1), FootColor(1).w())));
+  EXPECT_FALSE(FootColor(0).isApprox(FootColor(1)));
+}
+
 }  // namespace
 }  // namespace sidestep::render::decoration_test

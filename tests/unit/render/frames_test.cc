@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
+#include "models/support/config_error.h"
 #include "sim/render/camera_path.h"
 
 namespace sidestep::render::frames_test {
@@ -15,10 +18,34 @@ StateLog LogOf(int rows, double dt_s) {
   return log;
 }
 
+Clip Whole(const StateLog& log) { return ClipOf(log, {}, {}, 1.0); }
+
+// Ten seconds from 2 s on.
+StateLog LateLog() {
+  StateLog log = LogOf(1000, 0.01);
+  log.rows.front().time_s = 2.0;
+  return log;
+}
+
+TEST(FramesTest, ASlowFilmOfAPartHasMoreFramesThatAreCloser) {
+  const Clip clip = ClipOf(LateLog(), 7.0, 11.0, 0.25);
+  EXPECT_EQ(FrameCount(clip, 30), 4 * 4 * 30);
+  EXPECT_DOUBLE_EQ(FrameTime_s(clip, 0, 30), 5.0) << "after the log's first row";
+  EXPECT_DOUBLE_EQ(FrameTime_s(clip, 120, 30), 6.0);
+}
+
+TEST(FramesTest, APartIsCutToTheRunAndNoneIsRefused) {
+  EXPECT_NEAR(ClipOf(LateLog(), 0.0, 99.0, 1.0).duration_s, 10.0, 1e-9);
+  EXPECT_NEAR(ClipOf(LateLog(), {}, 3.0, 1.0).duration_s, 1.0, 1e-9);
+  for (const auto& [from_s, to_s] : {std::pair{5.0, 5.0}, {6.0, 5.0}, {12.5, 13.0}, {0.0, 2.0}}) {
+    EXPECT_THROW(ClipOf(LateLog(), from_s, to_s, 1.0), ConfigError) << from_s << " " << to_s;
+  }
+}
+
 TEST(FramesTest, TheVideoLastsAsLongAsTheLog) {
-  EXPECT_EQ(FrameCount(LogOf(1400, 0.01), 30), 420);
-  EXPECT_EQ(FrameCount(LogOf(50, 0.01), 25), 13) << "12.5 frames round up";
-  EXPECT_EQ(FrameCount(LogOf(1, 0.001), 30), 1) << "a run cut at once still has a picture";
+  EXPECT_EQ(FrameCount(Whole(LogOf(1400, 0.01)), 30), 420);
+  EXPECT_EQ(FrameCount(Whole(LogOf(50, 0.01)), 25), 13) << "12.5 frames round up";
+  EXPECT_EQ(FrameCount(Whole(LogOf(1, 0.001)), 30), 1) << "a run cut at once still has a picture";
 }
 
 TEST(FramesTest, EachFrameShowsTheNearestRow) {
@@ -76,6 +103,18 @@ TEST(CameraTest, TheFixedCameraNeverMovesAndStandsFartherBackForALongerWalk) {
   const std::vector<Eigen::Vector3d> stand(3, Eigen::Vector3d(0, 0, 0.6));
   EXPECT_GT(first.distance_m,
             CameraAt(VideoCamera::kFixed, stand, 0.01, 0, 0.6, 4.0 / 3.0).distance_m + 1.0);
+}
+
+TEST(CameraTest, FromTheSideForwardIsToTheRightAndFromAboveIsAsInThePlot) {
+  const std::vector<Eigen::Vector3d> stand(3, Eigen::Vector3d(0.0, 0.0, 0.6));
+  const auto view = [&](CameraView from) {
+    return CameraAt(VideoCamera::kFollow, stand, 0.01, 1, 0.6, 4.0 / 3.0, from);
+  };
+  // MuJoCo's camera looks along (cos, sin) of its azimuth; what is to its right is x for 90 deg.
+  EXPECT_DOUBLE_EQ(view(CameraView::kSide).azimuth_deg, 90.0);
+  EXPECT_DOUBLE_EQ(view(CameraView::kAbove).azimuth_deg, 90.0);
+  EXPECT_LT(view(CameraView::kAbove).elevation_deg, -80.0);
+  EXPECT_DOUBLE_EQ(view(CameraView::kFront).azimuth_deg, 180.0) << "looks against x";
 }
 
 }  // namespace

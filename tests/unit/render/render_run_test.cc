@@ -45,7 +45,7 @@ int PushPixels(const std::filesystem::path& png) {
     const auto channel = [&](std::size_t k) {
       return static_cast<int>(static_cast<unsigned char>(pixels[i + k]));
     };
-    if (channel(0) > 210 && channel(1) < 60 && channel(2) > 90 && channel(2) < 200) ++count;
+    if (channel(0) > 190 && channel(1) < 60 && channel(2) > 90 && channel(2) < 200) ++count;
   }
   return count;
 }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/render/side_by_side.h"
+
+#include <string>
+
+#include "sim/record/run_files.h"
+#include "sim/render/film.h"
+#include "sim/render/render_run.h"
+#include "sim/render/scratch_dir.h"
+#include "sim/render/video_file.h"
+#include "sim/scenario/read_scenario.h"
+
+namespace sidestep {
+namespace {
+
+// Whether the controller may move a foothold at all.
+bool MayAdjust(const Scenario& scenario) {
+  const MpcParams& mpc = scenario.control.mpc;
+  return (mpc.box_upper_m - mpc.box_lower_m).head<2>().maxCoeff() > 0.0;
+}
+
+std::array<std::string, 2> LabelsOf(const std::array<std::filesystem::path, 2>& run_dirs) {
+  std::array<std::string, 2> labels;
+  std::array<bool, 2> may_adjust{};
+  for (std::size_t i = 0; i < run_dirs.size(); ++i) {
+    const Scenario scenario = ReadScenario(run_dirs[i] / "scenario.yaml", {});
+    labels[i] = scenario.name;
+    may_adjust[i] = MayAdjust(scenario);
+  }
+  if (may_adjust[0] == may_adjust[1]) return labels;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    labels[i] += may_adjust[i] ? ": adjusts its steps" : ": may not adjust its steps";
+  }
+  return labels;
+}
+
+}  // namespace
+
+void RenderSideBySide(const std::array<std::filesystem::path, 2>& run_dirs,
+                      const RenderOptions& options, const std::filesystem::path& film) {
+  const std::array<std::string, 2> labels = LabelsOf(run_dirs);
+  const render::ScratchDir scratch(film);
+  std::array<FilmedRun, 2> runs;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    RenderOptions half = options;
+    if (options.on_progress) {
+      half.on_progress = [&options, i](double share) {
+        options.on_progress(0.5 * (static_cast<double>(i) + share));
+      };
+    }
+    runs[i] = {run_dirs[i], labels[i], scratch.path() / ("half" + std::to_string(i) + ".mp4"),
+               options.from_s.value_or(0.0), options.speed};
+    RenderClip(run_dirs[i], half, runs[i].video);
+  }
+  if (film.parent_path() == run_dirs[0]) ListRunFiles(run_dirs[0], {film.filename().string()});
+  WriteFilm(runs, scratch.path() / "both.mp4");
+  const bool is_gif = film.extension() == ".gif";
+  if (is_gif) {
+    render::WriteGif(scratch.path() / "both.mp4", options.fps, scratch.path() / "both.gif");
+  }
+  scratch.MoveOut(is_gif ? "both.gif" : "both.mp4", film);
+}
+
+}  // namespace sidestep
