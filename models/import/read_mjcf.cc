@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/read_mjcf.h"
+
+#include <algorithm>
+#include <set>
+
+#include "models/import/mjcf_bodies.h"
+#include "models/import/mjcf_motors.h"
+#include "models/import/mjcf_rewrite.h"
+#include "models/import/mjcf_shapes.h"
+#include "models/import/posture.h"
+#include "models/import/xml_tree.h"
+#include "models/mjcf/mjcf.h"
+#include "models/mjcf/mjcf_message.h"
+#include "models/support/xml_bounds.h"
+
+namespace sidestep::importer {
+namespace {
+
+constexpr std::size_t kMaxLinks = 2000;  // as of a URDF
+
+/// Compiles; MuJoCo's complaint gets the place in the maker's file.
+MjModelPtr Compile(const XmlTree& tree, const XmlElement& root) {
+  std::vector<const XmlElement*> lines;
+  const std::string text = XmlText(root, &lines);
+  try {
+    return CompileMjcf(text, "", "");
+  } catch (const ConfigError& error) {
+    MjcfMessage message = ReadMjcfMessage(error.what());
+    constexpr std::string_view kHead = ": error: ";
+    if (message.what.starts_with(kHead)) message.what.erase(0, kHead.size());
+    const auto line = static_cast<std::size_t>(message.line);
+    const bool is_known = line >= 1 && line <= lines.size();
+    throw ConfigError(std::vector{(is_known ? tree.Place(*lines[line - 1]) : tree.files.front()) +
+                                  ": error: " + message.what});
+  }
+}
+
+/// Bodies and joints by name become joints of the robot.
+std::vector<SourceCoupling> TakeCouplings(const mjModel& model, const MjcfParts& parts,
+                                          const MjcfBodies& bodies) {
+  std::vector<SourceCoupling> couplings;
+  for (const Coupling& coupling : parts.couplings) {
+    SourceCoupling taken{{}, coupling.place, coupling.what};
+    for (const std::string& name : coupling.joints) {
+      const int id = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
+      if (id >= 0) taken.joints.push_back(bodies.joint[static_cast<std::size_t>(id)]);
+    }
+    std::set<int> between;  // above the one or the other, not both
+    for (const std::string& name : coupling.bodies) {
+      const int id = mj_name2id(&model, mjOBJ_BODY, name.c_str());
+      const int link = id < 0 ? -1 : bodies.link[static_cast<std::size_t>(id)];
+      if (link < 0) continue;
+      for (const int joint : JointsBetween(bodies.robot, bodies.robot.root, link)) {
+        if (!between.insert(joint).second) between.erase(joint);
+      }
+    }
+    taken.joints.insert(taken.joints.end(), between.begin(), between.end());
+    couplings.push_back(std::move(taken));
+  }
+  return couplings;
+}
+
+}  // namespace
+
+bool IsMjcf(const std::filesystem::path& file) {
+  const std::string text = ReadXmlText(file);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; ++at) {
+    const bool is_comment = text.compare(at, 4, "<!--") == 0;
+    if (is_comment) at = std::min(text.find("-->", at), text.size() - 1);
+    if (is_comment || at + 1 >= text.size() || text[at + 1] == '?' || text[at + 1] == '!') continue;
+    return text.compare(at, 7, "<mujoco") == 0;
+  }
+  return false;
+}
+
+SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes* notes) {
+  const XmlTree tree = ReadXmlTree(file, *files);
+  Problems problems(file.string());
+  if (tree.root.tag != "mujoco") problems.AddAt(tree.Place(tree.root), "is no <mujoco>");
+  const MjcfParts parts = RewriteMjcf(tree, files, &problems, notes);
+  problems.ThrowIfAny();
+  const MjModelPtr model = Compile(tree, parts.root);
+  if (static_cast<std::size_t>(model->nbody) > kMaxLinks) {
+    throw ConfigError(file.string() + ": error: has more than " + std::to_string(kMaxLinks) +
+                      " bodies");
+  }
+  MjcfBodies bodies = TakeBodies(*model, parts, file.string(), &problems, notes);
+  TakeShapes(*model, &bodies, files, notes);
+  TakeMotors(*model, &bodies, notes);
+  bodies.robot.couplings = TakeCouplings(*model, parts, bodies);
+  bodies.robot.language = "MJCF";
+  bodies.robot.name =
+      tree.root.Text("model").empty() ? file.stem().string() : tree.root.Text("model");
+  return std::move(bodies.robot);
+}
+
+}  // namespace sidestep::importer
