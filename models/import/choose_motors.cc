@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "models/import/text.h"
+#include "models/robot_description/robot_figures.h"
 
 namespace sidestep::importer {
 namespace {
@@ -26,9 +27,9 @@ constexpr double kMostEffort = 4.0;           // over m g h; no motor of a human
 constexpr double kMostVelocity_radps = 60.0;  // likewise: 570 turns a minute after the gear
 constexpr double kVelocity_radps = 12.0;      // of shipped robots' legs: 8 to 12
 
-constexpr double kStep_s = 1e-3;      // of the physics that robots run in
-constexpr double kStableShare = 0.5;  // of the damping that an explicit step bears
-constexpr double kStiffEnough = 5.0;  // a servo's stiffness over m g h: iCub3's walk with 5.3
+constexpr double kStep_s = 1e-3;          // of the physics that robots run in
+constexpr double kStableShare = 0.5;      // of the damping that an explicit step bears
+constexpr double kStableStiffness = 1.5;  // of armature / step^2, of which 4 is the end
 
 class MotorChooser {
  public:
@@ -85,16 +86,18 @@ class MotorChooser {
 
   /// `chosen`, with what the source tells of the joint in its stead.
   MotorGroup GroupOf(MotorGroup chosen, const SourceJoint& joint) const {
-    if (joint.armature_kgm2 > 0.0) {
-      chosen.armature_kgm2 = joint.armature_kgm2;
-      const double most = Rounded(kStableShare * joint.armature_kgm2 / kStep_s);
-      chosen.damping_Nms_per_rad = std::min(chosen.damping_Nms_per_rad, most);
-    }
+    if (joint.armature_kgm2 > 0.0) chosen.armature_kgm2 = joint.armature_kgm2;
     if (has_servos_ && joint.servo_stiffness_Nm_per_rad > 0.0) {
       chosen.stiffness_Nm_per_rad = joint.servo_stiffness_Nm_per_rad;
       if (joint.servo_damping_Nms_per_rad > 0.0)
         chosen.damping_Nms_per_rad = joint.servo_damping_Nms_per_rad;
     }
+    if (joint.armature_kgm2 <= 0.0 && !has_servos_) return chosen;
+    const double per_step = chosen.armature_kgm2 / kStep_s;
+    chosen.damping_Nms_per_rad =
+        std::min(chosen.damping_Nms_per_rad, Rounded(kStableShare * per_step));
+    chosen.stiffness_Nm_per_rad =
+        std::min(chosen.stiffness_Nm_per_rad, Rounded(kStableStiffness * per_step / kStep_s));
     return chosen;
   }
 
@@ -127,7 +130,8 @@ class MotorChooser {
 
   void TellServos(Notes* notes) const {
     if (has_servos_) {
-      notes->push_back("took the servos' stiffness from the MJCF's position actuators");
+      notes->push_back(
+          "took the servos of the MJCF's position actuators, no stiffer than a step of 1 ms bears");
     } else if (softest_ > 0.0) {
       notes->push_back("chose stiffer servos than the MJCF's position actuators, whose " +
                        Figure(softest_) + " Nm/rad are less than " + Figure(kStiffEnough) +

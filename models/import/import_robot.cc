@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/import/import_robot.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -19,6 +18,7 @@
 #include "models/import/write_robot_yaml.h"
 #include "models/import/write_scenarios.h"
 #include "models/import/write_urdf.h"
+#include "models/robot_description/robot_faults.h"
 #include "models/support/plain_word.h"
 #include "models/support/xml_bounds.h"
 
@@ -75,10 +75,10 @@ class Import {
     const std::optional<RobotFiles> files = RobotFilesIn(ReadXmlText(options_.source));
     if (!files) return false;
     report_.done.push_back("restored the robot that the MJCF was exported from, as it was");
-    report_.found.push_back("run its scenarios with --set robot=" +
-                            (options_.folder / files->front().first).string());
     std::filesystem::create_directories(options_.folder);
     for (const auto& [name, text] : *files) Write(name, text);
+    const RobotDescription robot = ReadSoundRobot(options_.folder / files->front().first);
+    for (const auto& [name, text] : ScenariosOf(robot)) Write(name, text);
     return true;
   }
 
@@ -161,18 +161,11 @@ class Import {
     it_.motors = ChooseMotors(it_.plan, gravity_Nm, &it_.robot, &report_.done);
     it_.gait = ChooseGait(it_.start);
     it_.control = ChooseControl(it_.mass_kg, it_.start.com_height_m);
-    if (LacksArmature()) {
+    if (it_.LacksArmature()) {
       report_.to_decide.push_back("armature_kgm2: the " + it_.robot.language +
                                   " has none; chosen to suit the servos");
     }
     report_.to_decide.push_back("force_torque: a sensor in each ankle is assumed");
-  }
-
-  bool LacksArmature() const {
-    const std::vector<int> joints = it_.plan.Actuated();
-    return std::any_of(joints.begin(), joints.end(), [&](int joint) {
-      return it_.robot.joints[static_cast<std::size_t>(joint)].armature_kgm2 <= 0.0;
-    });
   }
 
   void Tell() {

@@ -25,13 +25,15 @@ class Rewriter {
 
   MjcfParts Run() {
     parts_.root = {"mujoco", {}, {}, 0, 0};
-    for (const char* name : {"compiler", "default", "asset", "worldbody", "contact", "actuator"}) {
+    for (const char* name : {"compiler", "asset", "worldbody", "contact", "actuator"}) {
       parts_.root.children.push_back({name, {}, {}, 0, 0});
     }
     Part("compiler").Set("autolimits", "true");  // the default of today's MuJoCo
     for (const XmlElement& section : tree_.root.children) TakeSection(section);
     Part("compiler").Set("convexhull", "false");  // we fit our own, and flat meshes have none
     ResolveMeshes(tree_, &Part("asset"), &parts_.root, files_, &problems_);
+    parts_.root.children.insert(parts_.root.children.begin() + 1, defaults_.begin(),
+                                defaults_.end());
     FindCouplings(tree_, &parts_, &problems_, &notes_);
     newer_.Tell(&notes_);
     std::vector<std::string> tags;
@@ -56,8 +58,9 @@ class Rewriter {
     if (section.tag == "compiler") {
       TakeCompiler(section);
     } else if (section.tag == "default") {
-      TakeDefault(section, &Part("default"));
-      if (const std::string* name = section.Find("class")) Part("default").Set("class", *name);
+      XmlElement& copy = defaults_.emplace_back(section);
+      copy.children.clear();
+      TakeDefault(section, &copy);
     } else if (section.tag == "asset") {
       for (const XmlElement& asset : section.children) TakeAsset(asset);
     } else if (section.tag == "worldbody") {
@@ -211,6 +214,7 @@ class Rewriter {
   Notes& notes_;
   NewerWords newer_;
   MjcfParts parts_;
+  std::vector<XmlElement> defaults_;  // of every section: MuJoCo merges them itself
   bool is_always_from_geoms_{false};
   int num_unnamed_{0};
   std::map<std::string, int> passed_over_;
