@@ -120,12 +120,15 @@ class Rewriter {
   void TakeBody(const XmlElement& from, bool has_inertial, XmlElement* to) {
     static const std::set<std::string> kParts{"inertial", "joint", "freejoint", "geom", "site"};
     static const std::set<std::string> kUnseen{"camera", "light"};
+    static const std::set<std::string> kScenery{"replicate", "composite", "flexcomp"};
     for (const XmlElement& child : from.children) {
       if (child.tag == "body" || child.tag == "frame") {
         TakeChild(child, has_inertial, to);
       } else if (kParts.count(child.tag) > 0) {
         TakePart(child, to);
       } else if (kUnseen.count(child.tag) > 0) {
+        ++passed_over_[child.tag];
+      } else if (to->tag == "worldbody" && kScenery.count(child.tag) > 0) {
         ++passed_over_[child.tag];
       } else {
         newer_.RefuseElement(child);

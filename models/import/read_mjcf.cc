@@ -9,6 +9,7 @@
 #include "models/import/mjcf_rewrite.h"
 #include "models/import/mjcf_shapes.h"
 #include "models/import/posture.h"
+#include "models/import/text.h"
 #include "models/import/xml_tree.h"
 #include "models/mjcf/mjcf.h"
 #include "models/mjcf/mjcf_message.h"
@@ -17,7 +18,8 @@
 namespace sidestep::importer {
 namespace {
 
-constexpr std::size_t kMaxLinks = 2000;  // as of a URDF
+constexpr std::size_t kMaxLinks = 2000;   // as of a URDF
+constexpr double kMostDistance_m = 10.0;  // of a body from its parent: see robot_parts.h
 
 /// Compiles; MuJoCo's complaint gets the place in the maker's file.
 MjModelPtr Compile(const XmlTree& tree, const XmlElement& root) {
@@ -34,6 +36,20 @@ MjModelPtr Compile(const XmlTree& tree, const XmlElement& root) {
     throw ConfigError(std::vector{(is_known ? tree.Place(*lines[line - 1]) : tree.files.front()) +
                                   ": error: " + message.what});
   }
+}
+
+/// A robot in millimetres, or scattered over the world, is a mistake to be told here.
+void RefuseDistances(const SourceRobot& robot, const std::string& file, Problems* problems) {
+  for (const SourceJoint& joint : robot.joints) {
+    const SourceLink& link = robot.links[static_cast<std::size_t>(joint.child)];
+    const double most_m = std::max(joint.X_PC.translation().cwiseAbs().maxCoeff(),
+                                   link.mass.com_m.cwiseAbs().maxCoeff());
+    if (most_m <= kMostDistance_m) continue;
+    problems->AddAt(file, "body '" + link.name + "' or its CoM is " + Figure(most_m, 3) +
+                              " m away, which is more than " + Figure(kMostDistance_m) +
+                              "; lengths are in metres");
+  }
+  problems->ThrowIfAny();
 }
 
 /// Bodies and joints by name become joints of the robot.
@@ -86,6 +102,7 @@ SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes*
                       " bodies");
   }
   MjcfBodies bodies = TakeBodies(*model, parts, file.string(), &problems, notes);
+  RefuseDistances(bodies.robot, file.string(), &problems);
   TakeShapes(*model, &bodies, files, notes);
   TakeMotors(*model, &bodies, notes);
   bodies.robot.couplings = TakeCouplings(*model, parts, bodies);

@@ -55,6 +55,15 @@ TEST(MjcfRewrite, TheScenesOwnThingsArePassedOver) {
   EXPECT_TRUE(HasNote(notes, "passed over 1 <camera>, 1 <keyframe>, 1 <option>, 1 <texture>"));
 }
 
+TEST(MjcfRewrite, SceneryThatCantBeTakenIsPassedOver) {
+  Notes notes;
+  SourceOfMjcf(SmallMjcf("",
+                         "<worldbody><replicate count=\"9\"><geom "
+                         "size=\"1\"/></replicate><flexcomp/></worldbody>"),
+               &notes);
+  EXPECT_TRUE(HasNote(notes, "passed over 1 <flexcomp>, 1 <replicate>"));
+}
+
 TEST(MjcfRewrite, OnlyMotorsOfJointsStay) {
   Notes notes;
   SourceOfMjcf(SmallMjcf("<site name=\"nozzle\"/>",

@@ -47,6 +47,12 @@ TEST(ReadMjcf, MujocosComplaintGetsThePlaceInTheMakersFile) {
   EXPECT_NE(error.find("nowhere"), std::string::npos) << error;
 }
 
+TEST(ReadMjcf, MillimetresAreTold) {
+  EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body name=\"far\" pos=\"0 0 300\"><geom size=\"1\"/></body>")),
+            "robot.xml: error: body 'far' or its CoM is 300 m away, which is more than 10; lengths "
+            "are in metres");
+}
+
 TEST(ReadMjcf, HostileFilesEndInOneLine) {
   std::string chain;
   for (int i = 0; i < 3000; ++i) chain += "<body><geom size=\"1\"/><joint/></body>";

@@ -18,10 +18,10 @@ TEST(MjcfMessage, TakesThePlaceOutOfEveryKindOfComplaint) {
 }
 
 TEST(MjcfMessage, UnknownPlacesAreZero) {
-  const MjcfMessage message = ReadMjcfMessage("Error: no mass\nline = 0, column = -1");
+  const MjcfMessage message = ReadMjcfMessage("Error: no mass\nid = 1, line = 0, column = -1");
   EXPECT_EQ(message.line, 0);
   EXPECT_EQ(message.column, 0);
-  EXPECT_EQ(message.what, "Error: no mass");
+  EXPECT_EQ(message.what, "Error: no mass; id = 1");
 }
 
 }  // namespace
