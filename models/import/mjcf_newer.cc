@@ -92,6 +92,8 @@ void NewerWords::Mend(const std::string& parent, XmlElement* element) {
       if (!is_known) ++taken_out_[name];
     } else if (is_known) {
       kept.emplace_back(name, value);
+    } else if (left_out != LeftOut().end() && value == "0") {
+      ++taken_out_[name];
     } else if (left_out != LeftOut().end()) {
       left_out_.push_back(tree_.Place(*element) + ": left out " + name + "=\"" + value + "\" of " +
                           NameOf(*element) + ": " + left_out->second);

@@ -26,6 +26,16 @@ class ShapeTaker {
   }
 
   void Take(Notes* notes) {
+    takes_hidden_ = true;
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      const bool is_robots = bodies_.link[static_cast<std::size_t>(m_.geom_bodyid[geom])] >= 0;
+      if (is_robots && CollidesAsWritten(geom)) takes_hidden_ = false;
+    }
+    if (takes_hidden_) {
+      notes->push_back(
+          "took hidden shapes (of group 3 and more) for what collides: by contype, "
+          "conaffinity and pairs nothing does");
+    }
     std::vector<std::vector<SourceShape>> seen(bodies_.robot.links.size());
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       const int link = bodies_.link[static_cast<std::size_t>(m_.geom_bodyid[geom])];
@@ -53,6 +63,10 @@ class ShapeTaker {
 
  private:
   bool Collides(int geom) const {
+    return CollidesAsWritten(geom) || (takes_hidden_ && m_.geom_group[geom] >= kFirstHiddenGroup);
+  }
+
+  bool CollidesAsWritten(int geom) const {
     return m_.geom_contype[geom] != 0 || m_.geom_conaffinity[geom] != 0 || paired_.count(geom) > 0;
   }
 
@@ -132,6 +146,7 @@ class ShapeTaker {
   MjcfBodies& bodies_;
   MeshFiles& files_;
   std::set<int> paired_, taken_;
+  bool takes_hidden_{false};
   std::vector<std::string> fitted_;
 };
 

@@ -32,6 +32,13 @@ TEST(MjcfShapes, APairMakesAShapeCollide) {
       2U);
 }
 
+TEST(MjcfShapes, HiddenShapesCollideWhereNothingElseDoes) {
+  const std::string no_contact = "contype=\"0\" conaffinity=\"0\"";
+  const std::string hidden = "<geom size=\"1\" group=\"3\" " + no_contact + "/>";
+  EXPECT_EQ(PelvisWith(hidden + "<geom size=\"2\" " + no_contact + "/>").collisions.size(), 1U);
+  EXPECT_EQ(PelvisWith(hidden + "<geom size=\"2\"/>").collisions.at(0).size_m.x(), 2.0);
+}
+
 TEST(MjcfShapes, ALinkWithNothingElseToSeeShowsWhatCollides) {
   const SourceLink pelvis = PelvisWith("<geom size=\"1\" rgba=\"0 1 0 1\"/>");
   ASSERT_EQ(pelvis.visuals.size(), 1U);
