@@ -126,9 +126,8 @@ class Rewriter {
         TakeChild(child, has_inertial, to);
       } else if (kParts.count(child.tag) > 0) {
         TakePart(child, to);
-      } else if (kUnseen.count(child.tag) > 0) {
-        ++passed_over_[child.tag];
-      } else if (to->tag == "worldbody" && kScenery.count(child.tag) > 0) {
+      } else if (kUnseen.count(child.tag) > 0 ||
+                 (to->tag == "worldbody" && kScenery.count(child.tag) > 0)) {
         ++passed_over_[child.tag];
       } else {
         newer_.RefuseElement(child);

@@ -105,8 +105,7 @@ class ShapeTaker {
 
   /// A geom's own colour, else its material's.
   Eigen::Vector4d ColourOf(int geom) const {
-    const Eigen::Vector4d own =
-        Eigen::Map<const Eigen::Vector4f>(m_.geom_rgba + 4 * geom).cast<double>();
+    Eigen::Vector4d own = Eigen::Map<const Eigen::Vector4f>(m_.geom_rgba + 4 * geom).cast<double>();
     const int material = m_.geom_matid[geom];
     if (material < 0 || own != kPlainColour) return own;
     return Eigen::Map<const Eigen::Vector4f>(m_.mat_rgba + 4 * material).cast<double>();
@@ -115,7 +114,7 @@ class ShapeTaker {
   /// The mesh's name; its triangles go to the files once.
   std::string TakeMesh(int id) {
     const char* given = mj_id2name(&m_, mjOBJ_MESH, id);
-    const std::string name = given == nullptr ? "mesh " + std::to_string(id) : given;
+    std::string name = given == nullptr ? "mesh " + std::to_string(id) : given;
     if (!taken_.insert(id).second || files_.IsMissing(name)) return name;
     Mesh mesh;
     for (int i = 0; i < m_.mesh_vertnum[id]; ++i) {

@@ -195,7 +195,7 @@ std::filesystem::path WriteMakerMjcf(const MakerMjcf& robot, const std::string& 
                                      const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / "parts");
   std::ofstream(folder / "parts/robot.xml") << RobotMjcf(robot);
-  const std::filesystem::path scene = folder / (name + ".xml");
+  std::filesystem::path scene = folder / (name + ".xml");
   std::ofstream(scene) << "<mujoco model=\"" << name << "\">\n  <include file=\"parts/robot.xml\"/>"
                        << kSceneTail;
   return scene;
