@@ -18,8 +18,26 @@
 namespace sidestep::importer {
 namespace {
 
-constexpr std::size_t kMaxLinks = 2000;   // as of a URDF
-constexpr double kMostDistance_m = 10.0;  // of a body from its parent: see robot_parts.h
+// MuJoCo's compiler takes time by the square of these.
+constexpr std::size_t kMaxBodies = 2000;   // as many as a URDF's links
+constexpr std::size_t kMaxParts = 20'000;  // elements of all kinds
+constexpr double kMostDistance_m = 10.0;   // of a body from its parent: see robot_parts.h
+
+void Count(const XmlElement& element, std::size_t* bodies, std::size_t* parts) {
+  *bodies += element.tag == "body" ? 1 : 0;
+  ++*parts;
+  for (const XmlElement& child : element.children) Count(child, bodies, parts);
+}
+
+void RefuseCrowds(const XmlElement& root, const std::string& file) {
+  std::size_t bodies = 0, parts = 0;
+  Count(root, &bodies, &parts);
+  const bool is_bodies = bodies > kMaxBodies;
+  if (!is_bodies && parts <= kMaxParts) return;
+  throw ConfigError(file + ": error: has more than " +
+                    std::to_string(is_bodies ? kMaxBodies : kMaxParts) +
+                    (is_bodies ? " bodies" : " elements of robots and scenery"));
+}
 
 /// Compiles; MuJoCo's complaint gets the place in the maker's file.
 MjModelPtr Compile(const XmlTree& tree, const XmlElement& root) {
@@ -96,11 +114,8 @@ SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes*
   if (tree.root.tag != "mujoco") problems.AddAt(tree.Place(tree.root), "is no <mujoco>");
   const MjcfParts parts = RewriteMjcf(tree, files, &problems, notes);
   problems.ThrowIfAny();
+  RefuseCrowds(parts.root, file.string());
   const MjModelPtr model = Compile(tree, parts.root);
-  if (static_cast<std::size_t>(model->nbody) > kMaxLinks) {
-    throw ConfigError(file.string() + ": error: has more than " + std::to_string(kMaxLinks) +
-                      " bodies");
-  }
   MjcfBodies bodies = TakeBodies(*model, parts, file.string(), &problems, notes);
   RefuseDistances(bodies.robot, file.string(), &problems);
   TakeShapes(*model, &bodies, files, notes);

@@ -56,12 +56,15 @@ TEST(ReadMjcf, MillimetresAreTold) {
 TEST(ReadMjcf, HostileFilesEndInOneLine) {
   std::string chain;
   for (int i = 0; i < 3000; ++i) chain += "<body><geom size=\"1\"/><joint/></body>";
+  std::string many;
+  for (int i = 0; i < 30000; ++i) many += "<site/>";
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<body>";
   for (const std::string& text :
        {std::string("<mujoco"), std::string("<mujoco><worldbody/>"),
         std::string("\x01\x02<mujoco/>"), "<mujoco><worldbody>" + deep, SmallMjcf(chain),
-        SmallMjcf("<geom type=\"box\" size=\"0 0 0\"/>"), SmallMjcf("<geom type=\"hexagon\"/>"),
+        SmallMjcf(many), SmallMjcf("<geom type=\"box\" size=\"0 0 0\"/>"),
+        SmallMjcf("<geom type=\"hexagon\"/>"),
         SmallMjcf("<body><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 9\"/></body>"),
         SmallMjcf("<body><joint name=\"a\"/></body>"), SmallMjcf("<body name=\"leg\"/>")}) {
     const std::string error = MjcfErrorOf(text);
