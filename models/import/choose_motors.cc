@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "models/import/text.h"
+#include "models/robot_description/robot_figures.h"
 
 namespace sidestep::importer {
 namespace {
@@ -26,42 +27,90 @@ constexpr double kMostEffort = 4.0;           // over m g h; no motor of a human
 constexpr double kMostVelocity_radps = 60.0;  // likewise: 570 turns a minute after the gear
 constexpr double kVelocity_radps = 12.0;      // of shipped robots' legs: 8 to 12
 
+constexpr double kStep_s = 1e-3;          // of the physics that robots run in
+constexpr double kStableShare = 0.5;      // of the damping that an explicit step bears
+constexpr double kStableStiffness = 1.5;  // of armature / step^2, of which 4 is the end
+
 class MotorChooser {
  public:
-  MotorChooser(double gravity_Nm, SourceRobot* robot) : gravity_Nm_(gravity_Nm), robot_(*robot) {}
+  MotorChooser(double gravity_Nm, SourceRobot* robot)
+      : gravity_Nm_(gravity_Nm), robot_(*robot), tells_rotors_(TellsRotors(*robot)) {}
+
+  /// Whether the servos of the source carry the robot on these joints.
+  void JudgeServos(const std::vector<int>& joints) {
+    for (const int joint : joints) {
+      const double stiffness = Joint(joint).servo_stiffness_Nm_per_rad;
+      softest_ = joint == joints.front() ? stiffness : std::min(softest_, stiffness);
+    }
+    has_servos_ = softest_ >= kStiffEnough * gravity_Nm_;
+  }
 
   void Add(const Ratios& ratios, const std::vector<int>& joints) {
     if (joints.empty()) return;
-    MotorGroup group;
-    group.name = ratios.name;
-    group.joints = joints;
-    group.stiffness_Nm_per_rad = Rounded(ratios.stiffness * gravity_Nm_);
-    group.damping_Nms_per_rad = Rounded(ratios.damping_s * gravity_Nm_);
-    group.armature_kgm2 = Rounded(ratios.armature_s2 * gravity_Nm_);
-    group.posture_weight = ratios.posture_weight;
+    MotorGroup chosen;
+    chosen.name = ratios.name;
+    chosen.stiffness_Nm_per_rad = Rounded(ratios.stiffness * gravity_Nm_);
+    chosen.damping_Nms_per_rad = Rounded(ratios.damping_s * gravity_Nm_);
+    chosen.armature_kgm2 = Rounded(ratios.armature_s2 * gravity_Nm_);
+    chosen.posture_weight = ratios.posture_weight;
     const bool has_damping = std::all_of(joints.begin(), joints.end(), [&](int joint) {
       return Joint(joint).damping_Nms_per_rad > 0.0;
     });
-    if (!has_damping) {
-      group.joint_damping_Nms_per_rad = Rounded(ratios.joint_damping_s * gravity_Nm_);
+    if (!has_damping && !tells_rotors_) {
+      chosen.joint_damping_Nms_per_rad = Rounded(ratios.joint_damping_s * gravity_Nm_);
     }
-    for (const int joint : joints) Limit(ratios, &Joint(joint));
-    groups_.push_back(std::move(group));
+    for (const int joint : joints) {
+      Limit(ratios, &Joint(joint));
+      AddTo(GroupOf(chosen, Joint(joint)), joint);
+    }
   }
 
   std::vector<MotorGroup> Finish(Notes* notes) {
     if (!efforts_.empty()) {
-      notes->push_back("chose the torque limits of " + Listed(efforts_) +
-                       ": the URDF has none or more than any motor has");
+      notes->push_back("chose the torque limits of " + Listed(efforts_) + ": the " +
+                       robot_.language + " has none or more than any motor has");
     }
     if (!velocities_.empty()) {
-      notes->push_back("chose the velocity limits of " + Listed(velocities_) +
-                       ": the URDF has none or more than any motor has");
+      notes->push_back("chose the velocity limits of " + Listed(velocities_) + ": the " +
+                       robot_.language + " has none or more than any motor has");
     }
+    TellServos(notes);
     return std::move(groups_);
   }
 
  private:
+  static bool TellsRotors(const SourceRobot& robot) {
+    return std::any_of(robot.joints.begin(), robot.joints.end(),
+                       [](const SourceJoint& joint) { return joint.armature_kgm2 > 0.0; });
+  }
+
+  /// `chosen`, with what the source tells of the joint in its stead.
+  MotorGroup GroupOf(MotorGroup chosen, const SourceJoint& joint) const {
+    if (joint.armature_kgm2 > 0.0) chosen.armature_kgm2 = joint.armature_kgm2;
+    if (has_servos_ && joint.servo_stiffness_Nm_per_rad > 0.0) {
+      chosen.stiffness_Nm_per_rad = joint.servo_stiffness_Nm_per_rad;
+      if (joint.servo_damping_Nms_per_rad > 0.0)
+        chosen.damping_Nms_per_rad = joint.servo_damping_Nms_per_rad;
+    }
+    if (joint.armature_kgm2 <= 0.0 && !has_servos_) return chosen;
+    const double per_step = chosen.armature_kgm2 / kStep_s;
+    chosen.damping_Nms_per_rad =
+        std::min(chosen.damping_Nms_per_rad, Rounded(kStableShare * per_step));
+    chosen.stiffness_Nm_per_rad =
+        std::min(chosen.stiffness_Nm_per_rad, Rounded(kStableStiffness * per_step / kStep_s));
+    return chosen;
+  }
+
+  void AddTo(MotorGroup group, int joint) {
+    const auto same = std::find_if(groups_.begin(), groups_.end(), [&](const MotorGroup& other) {
+      return other.name == group.name && other.armature_kgm2 == group.armature_kgm2 &&
+             other.stiffness_Nm_per_rad == group.stiffness_Nm_per_rad &&
+             other.damping_Nms_per_rad == group.damping_Nms_per_rad;
+    });
+    MotorGroup& to = same == groups_.end() ? groups_.emplace_back(std::move(group)) : *same;
+    to.joints.push_back(joint);
+  }
+
   SourceJoint& Joint(int joint) { return robot_.joints[static_cast<std::size_t>(joint)]; }
 
   void Limit(const Ratios& ratios, SourceJoint* joint) {
@@ -79,12 +128,26 @@ class MotorChooser {
     }
   }
 
+  void TellServos(Notes* notes) const {
+    if (has_servos_) {
+      notes->push_back(
+          "took the servos of the MJCF's position actuators, no stiffer than a step of 1 ms bears");
+    } else if (softest_ > 0.0) {
+      notes->push_back("chose stiffer servos than the MJCF's position actuators, whose " +
+                       Figure(softest_) + " Nm/rad are less than " + Figure(kStiffEnough) +
+                       " m g h (" + Figure(kStiffEnough * gravity_Nm_) + " Nm/rad)");
+    }
+  }
+
   static void AddNote(const std::string& note, SourceJoint* joint) {
     joint->note += (joint->note.empty() ? "" : "; ") + note;
   }
 
   double gravity_Nm_;
   SourceRobot& robot_;
+  bool tells_rotors_;
+  bool has_servos_{false};
+  double softest_{0.0};  // stiffness of the legs' servos in the source
   std::vector<MotorGroup> groups_;
   std::vector<std::string> efforts_, velocities_;
 };
@@ -97,6 +160,7 @@ std::vector<MotorGroup> ChooseMotors(const BodyPlan& plan, double gravity_Nm, So
   std::vector<int> legs, arms;
   for (const Limb& leg : plan.legs) legs.insert(legs.end(), leg.joints.begin(), leg.joints.end());
   for (const Limb& arm : plan.arms) arms.insert(arms.end(), arm.joints.begin(), arm.joints.end());
+  chooser.JudgeServos(legs);
   chooser.Add(kLegs, legs);
   chooser.Add(kTorso, plan.torso_joints);
   chooser.Add(kArms, arms);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// choose_motors: limits, servos and armatures where a URDF is silent, from mass and height.
+// choose_motors: limits, servos and armatures where a URDF or an MJCF is silent, from mass and
+// height.
 //
 // A robot that stands on servos tips over unless they are much stiffer than gravity, m g h a radian
 // at the ankles. All figures grow with m g h; those of generic_humanoid (480 Nm) are the measure.
@@ -25,8 +26,10 @@ struct MotorGroup {
   double posture_weight{1.0};
 };
 
-/// Fills the joints' efforts and velocities where the URDF has none or impossible ones, and says so
-/// in their notes. @param gravity_Nm  m g h.
+/// Fills the joints' efforts and velocities where the source has none or impossible ones, and says
+/// so in their notes. Armatures that it tells are kept, and servos damped no more than these bear
+/// in a step; servos that it tells are taken if the legs' are stiff enough to carry the robot.
+/// @param gravity_Nm  m g h.
 std::vector<MotorGroup> ChooseMotors(const BodyPlan& plan, double gravity_Nm, SourceRobot* robot,
                                      Notes* notes);
 

@@ -18,6 +18,8 @@ constexpr double kInset_m = 0.005;   // of the vertices from the sole's sides ..
 constexpr double kInsetShare = 0.1;  // ... but no more than this share of the side
 constexpr double kThickness = 0.1;   // of a sole's box, in its length
 constexpr double kUnlevel_rad = 0.002;
+constexpr double kSameHeight_m = 5e-4;  // of a frame and the sole that it is of
+constexpr double kNearMiddle = 0.2;     // of a sole's length and width, from its middle
 
 using Shapes = std::vector<SourceShape> SourceLink::*;
 
@@ -38,13 +40,16 @@ class FootMaker {
                         "): it can't stand on points or edges; give it a <collision> box");
     }
     ReplaceMeshes(link, foot.sole);
-    foot.frame = AddFrame(
-        UnusedName(robot_, word + "_sole"), link, foot.sole.X_FS,
-        "middle of the sole, x forward, z up; fitted to the foot's " + foot.found_in, &robot_);
+    foot.frame = OwnFrame(link, foot.sole);
+    if (foot.frame < 0) {
+      foot.frame = AddFrame(
+          UnusedName(robot_, word + "_sole"), link, foot.sole.X_FS,
+          "middle of the sole, x forward, z up; fitted to the foot's " + foot.found_in, &robot_);
+    }
     foot.force_torque =
         AddFrame(UnusedName(robot_, word + "_foot_ft"), link, Eigen::Isometry3d::Identity(),
                  "six-axis sensor between the foot and the ankle", &robot_);
-    foot.vertices_m = Vertices(foot.sole);
+    foot.vertices_m = X_FrameSole(foot) * Vertices(foot.sole);
     if (foot.sole.tilt_rad > kUnlevel_rad) {
       notes_.push_back("the " + word + " sole is tilted by " + Figure(foot.sole.tilt_rad, 2) +
                        " rad where all joints are at zero");
@@ -54,6 +59,35 @@ class FootMaker {
 
  private:
   SourceLink& Link(int link) { return robot_.links[static_cast<std::size_t>(link)]; }
+
+  const SourceJoint& JointAbove(int link) const {
+    const int joint = robot_.joint_above[static_cast<std::size_t>(link)];
+    return robot_.joints[static_cast<std::size_t>(joint)];
+  }
+
+  /// The maker's frame of the sole: fixed to the foot, without mass or shape, as level as the sole,
+  /// at its height and near its middle. -1 where there is none.
+  int OwnFrame(int foot, const Sole& sole) {
+    for (const int joint : robot_.joints_below[static_cast<std::size_t>(foot)]) {
+      const SourceJoint& below = robot_.joints[static_cast<std::size_t>(joint)];
+      const SourceLink& link = Link(below.child);
+      if (below.is_moving() || link.has_mass() || !link.collisions.empty()) continue;
+      const Eigen::Isometry3d X_SL = sole.X_FS.inverse() * below.X_PC;
+      const Eigen::Vector3d p_m = X_SL.translation().cwiseAbs();
+      const bool is_near = p_m.x() <= kNearMiddle * sole.length_m &&
+                           p_m.y() <= kNearMiddle * sole.width_m && p_m.z() <= kSameHeight_m;
+      if (is_near && Eigen::AngleAxisd(X_SL.linear()).angle() <= kUnlevel_rad) {
+        notes_.push_back("took '" + link.name + "' for the frame of its sole");
+        return below.child;
+      }
+    }
+    return -1;
+  }
+
+  /// The sole in the foot's frame F.
+  Eigen::Isometry3d X_FrameSole(const Foot& foot) const {
+    return JointAbove(foot.frame).X_PC.inverse() * foot.sole.X_FS;
+  }
 
   /// Tries what collides, then what is looked at, then the inertia.
   Foot Fit(int link) {
@@ -92,16 +126,27 @@ class FootMaker {
     std::vector<SurfacePoint> points;
     for (const int link : Subtree(robot_, foot)) {
       const Eigen::Isometry3d X_FL = zero.X_WL(foot).inverse() * zero.X_WL(link);
-      for (const SourceShape& shape : Link(link).*shapes) {
-        const bool is_mesh = shape.kind == ShapeKind::kMesh;
-        const std::shared_ptr<const Mesh> mesh = is_mesh ? meshes_.Find(shape) : nullptr;
-        const double radius_m = shape.kind == ShapeKind::kSphere ? shape.size_m.x() : 0.0;
-        for (const Eigen::Vector3d& p : SurfaceOf(shape, mesh.get())) {
-          points.push_back({X_FL * p, radius_m});
-        }
-      }
+      for (const SourceShape& shape : Link(link).*shapes) AddPoints(shape, X_FL, &points);
     }
     return points;
+  }
+
+  /// Of a cylinder longer than wide, which is a capsule here, the two balls at its ends.
+  void AddPoints(const SourceShape& shape, const Eigen::Isometry3d& X_FL,
+                 std::vector<SurfacePoint>* points) {
+    const double radius_m = shape.size_m.x();
+    const double straight_m = 0.5 * shape.size_m.y() - radius_m;
+    if (shape.kind == ShapeKind::kCylinder && straight_m > 0.0) {
+      for (const double z : {-straight_m, straight_m}) {
+        points->push_back({X_FL * (shape.X_LS * Eigen::Vector3d(0.0, 0.0, z)), radius_m});
+      }
+      return;
+    }
+    const std::shared_ptr<const Mesh> mesh =
+        shape.kind == ShapeKind::kMesh ? meshes_.Find(shape) : nullptr;
+    for (const Eigen::Vector3d& p : SurfaceOf(shape, mesh.get())) {
+      points->push_back({X_FL * p, shape.kind == ShapeKind::kSphere ? radius_m : 0.0});
+    }
   }
 
   /// A foot's meshes, and a foot without a shape, become one box above the sole.

@@ -16,7 +16,7 @@ namespace sidestep::importer {
 
 struct Foot {
   Sole sole;
-  int frame{-1};                ///< Link without mass, at the sole's middle.
+  int frame{-1};                ///< Link without mass, at or near the sole's middle.
   int force_torque{-1};         ///< Link without mass, at the ankle: all of the foot is beyond it.
   std::string found_in;         ///< What the sole was fitted to.
   Eigen::Matrix3Xd vertices_m;  ///< In the frame: corners a little inside the sole.

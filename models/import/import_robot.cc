@@ -4,17 +4,24 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <optional>
 
 #include "models/import/clean_up.h"
+#include "models/import/embedded_robot.h"
 #include "models/import/imported_robot.h"
+#include "models/import/mjcf_couplings.h"
+#include "models/import/read_mjcf.h"
 #include "models/import/read_source.h"
 #include "models/import/replace_meshes.h"
 #include "models/import/self_collision.h"
 #include "models/import/text.h"
+#include "models/import/weak_ankles.h"
 #include "models/import/write_robot_yaml.h"
 #include "models/import/write_scenarios.h"
 #include "models/import/write_urdf.h"
+#include "models/robot_description/robot_faults.h"
 #include "models/support/plain_word.h"
+#include "models/support/xml_bounds.h"
 
 namespace sidestep::importer {
 namespace {
@@ -33,17 +40,23 @@ std::string PlainName(const std::string& name) {
 class Import {
  public:
   explicit Import(const ImportOptions& options)
-      : options_(options), file_(options.urdf.string()), meshes_(options.urdf, options.packages) {}
+      : options_(options),
+        file_(options.source.string()),
+        meshes_(options.source, options.packages) {}
 
   ImportReport Run() {
-    it_.robot = ReadSource(options_.urdf, &report_.done);
-    it_.source = options_.urdf.filename().string();
+    const bool is_mjcf = IsMjcf(options_.source);
+    if (is_mjcf && Restore()) return std::move(report_);
+    it_.robot = is_mjcf ? ReadMjcf(options_.source, &meshes_, &report_.done)
+                        : ReadSource(options_.source, &report_.done);
+    it_.source = options_.source.filename().string();
     it_.name = options_.name.empty() ? PlainName(it_.robot.name) : options_.name;
     it_.mode = options_.mode;
     Problems problems(file_);
     CleanUp(&it_.robot, &problems, &report_.done);
     problems.ThrowIfAny();
     it_.plan = FindBodyPlan(it_.robot, file_, &report_.done);
+    RefuseCouplings(it_.robot.couplings, it_.plan.Actuated());
     it_.feet = MakeFeet(it_.plan, file_, &meshes_, &it_.robot, &report_.done);
     ReplaceCollisionMeshes(&meshes_, &it_.robot, &report_.done);
     AddTrunkFrames();
@@ -57,6 +70,18 @@ class Import {
 
  private:
   const SourceLink& Link(int link) const { return it_.robot.links[static_cast<std::size_t>(link)]; }
+
+  /// Writes the robot that an export carries, if the source is one.
+  bool Restore() {
+    const std::optional<RobotFiles> files = RobotFilesIn(ReadXmlText(options_.source));
+    if (!files) return false;
+    report_.done.push_back("restored the robot that the MJCF was exported from, as it was");
+    std::filesystem::create_directories(options_.folder);
+    for (const auto& [name, text] : *files) Write(name, text);
+    const RobotDescription robot = ReadSoundRobot(options_.folder / files->front().first);
+    for (const auto& [name, text] : ScenariosOf(robot)) Write(name, text);
+    return true;
+  }
 
   /// An IMU where the maker has a frame for one on the trunk, and a torso frame that faces forward.
   void AddTrunkFrames() {
@@ -81,9 +106,9 @@ class Import {
         add("torso_frame", it_.plan.torso, "of the trunk: x forward, z up when it is upright");
     if (it_.imu.empty()) {
       it_.imu = add("imu_frame", it_.robot.root, "the IMU, made up");
-      report_.to_decide.push_back(
-          "imu: the URDF has no frame of an IMU on the trunk; one was put at '" +
-          Link(it_.robot.root).name + "'");
+      report_.to_decide.push_back("imu: the " + it_.robot.language +
+                                  " has no frame of an IMU on the trunk; one was put at '" +
+                                  Link(it_.robot.root).name + "'");
     }
   }
 
@@ -137,8 +162,13 @@ class Import {
     it_.motors = ChooseMotors(it_.plan, gravity_Nm, &it_.robot, &report_.done);
     it_.gait = ChooseGait(it_.start);
     it_.control = ChooseControl(it_.mass_kg, it_.start.com_height_m);
-    report_.to_decide.push_back("armature_kgm2: a URDF has none; chosen to suit the servos");
+    if (it_.LacksArmature()) {
+      report_.to_decide.push_back("armature_kgm2: the " + it_.robot.language +
+                                  " has none; chosen to suit the servos");
+    }
     report_.to_decide.push_back("force_torque: a sensor in each ankle is assumed");
+    for (std::string& note : WeakAnkles(it_.robot, it_.plan, it_.feet))
+      report_.to_decide.push_back(std::move(note));
   }
 
   void Tell() {

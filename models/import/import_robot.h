@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// import_robot: a maker's URDF as a robot that stands and walks here.
+// import_robot: a maker's URDF or MJCF as a robot that stands and walks here.
 //
-// In : a URDF as it is.    Out: a folder with robot.urdf, robot.yaml, meshes/ and three scenarios.
-// What it finds out, it writes; where a person must decide, it says `# decide:`.
+// In : a URDF or an MJCF as it is.    Out: a folder with robot.urdf, robot.yaml, meshes/ and three
+// scenarios. What it finds out, it writes; where a person must decide, it says `# decide:`.
 
 #include <filesystem>
 #include <string>
@@ -15,9 +15,9 @@
 namespace sidestep::importer {
 
 struct ImportOptions {
-  std::filesystem::path urdf;
+  std::filesystem::path source;  ///< The URDF or MJCF.
   std::filesystem::path folder;  ///< Made if need be; files of the same names are replaced.
-  std::string name;              ///< Of the robot; empty: the URDF's.
+  std::string name;              ///< Of the robot; empty: the source's.
   std::string mode{"position"};  ///< Or torque: what the scenarios ask for.
   Packages packages;
   bool has_meshes{true};  ///< Whether visual meshes are copied.
@@ -31,8 +31,8 @@ struct ImportReport {
   std::vector<std::string> files;  ///< Written, relative to the folder.
 };
 
-/// Imports. Throws ConfigError with all problems, each with its line, where the URDF can't become a
-/// robot here; nothing is written then.
+/// Imports. Throws ConfigError with all problems, each with its line, where the source can't become
+/// a robot here; nothing is written then.
 ImportReport ImportRobot(const ImportOptions& options);
 
 }  // namespace sidestep::importer

@@ -2,6 +2,7 @@
 #pragma once
 // imported_robot: all that an import has found out, for those who write it down.
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct CollisionPairs {
 struct ImportedRobot {
   std::string name;    ///< A plain word.
   std::string mode;    ///< position or torque.
-  std::string source;  ///< The URDF's file name.
+  std::string source;  ///< The URDF's or MJCF's file name.
   SourceRobot robot;
   BodyPlan plan;
   std::array<Foot, 2> feet;
@@ -40,6 +41,14 @@ struct ImportedRobot {
   const std::string& Link(int link) const {
     return robot.links[static_cast<std::size_t>(link)].name;
   }
+  /// Whether the source tells no armature of some joint with a motor.
+  bool LacksArmature() const {
+    const std::vector<int> joints = plan.Actuated();
+    return std::any_of(joints.begin(), joints.end(), [&](int joint) {
+      return robot.joints[static_cast<std::size_t>(joint)].armature_kgm2 <= 0.0;
+    });
+  }
+
   const std::string& Joint(int joint) const {
     return robot.joints[static_cast<std::size_t>(joint)].name;
   }

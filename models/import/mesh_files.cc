@@ -29,8 +29,8 @@ bool LiesIn(const std::filesystem::path& file, const std::filesystem::path& fold
 
 }  // namespace
 
-MeshFiles::MeshFiles(const std::filesystem::path& urdf, const Packages& packages)
-    : folder_(RealFolder(std::filesystem::absolute(urdf).parent_path())) {
+MeshFiles::MeshFiles(const std::filesystem::path& model, const Packages& packages)
+    : folder_(RealFolder(std::filesystem::absolute(model).parent_path())) {
   for (const auto& [name, folder] : packages) packages_[name] = RealFolder(folder);
 }
 
@@ -40,9 +40,9 @@ bool MeshFiles::IsAllowed(const std::filesystem::path& file) const {
                      [&](const auto& package) { return LiesIn(file, package.second); });
 }
 
-std::filesystem::path MeshFiles::FileOf(const std::string& uri, std::string* why) const {
+std::filesystem::path MeshFiles::FindFile(const std::string& uri, std::string* why) const {
   std::vector<std::filesystem::path> places;
-  *why = "no such file in the URDF's folder";
+  *why = "no such file in the model's folder";
   if (uri.rfind(kPackage, 0) == 0) {
     const std::string rest = uri.substr(sizeof(kPackage) - 1);
     const std::string package = rest.substr(0, rest.find('/'));
@@ -63,7 +63,7 @@ std::filesystem::path MeshFiles::FileOf(const std::string& uri, std::string* why
     const std::filesystem::path real = std::filesystem::weakly_canonical(place, error);
     if (error) continue;
     if (!IsAllowed(real)) {
-      *why = "outside the URDF's folder; name the folder to read it: --package NAME=" +
+      *why = "outside the model's folder; name the folder to read it: --package NAME=" +
              real.parent_path().string();
     } else if (std::filesystem::is_regular_file(real, error)) {
       return real;
@@ -76,16 +76,30 @@ std::shared_ptr<const Mesh> MeshFiles::Find(const SourceShape& shape) {
   auto [known, is_new] = meshes_.try_emplace(shape.mesh);
   if (is_new) {
     std::string why;
-    const std::filesystem::path file = FileOf(shape.mesh, &why);
+    const std::filesystem::path file = FindFile(shape.mesh, &why);
     const std::optional<Mesh> mesh = file.empty() ? std::nullopt : LoadMesh(file, &why);
     if (mesh) {
       known->second = std::make_shared<const Mesh>(*mesh);
     } else {
-      complaints_[why].push_back(shape.mesh);
+      Complain(shape.mesh, why);
     }
   }
   if (!known->second || shape.scale == Eigen::Vector3d::Ones()) return known->second;
   return std::make_shared<const Mesh>(Scaled(*known->second, shape.scale));
+}
+
+void MeshFiles::Add(const std::string& uri, std::optional<Mesh> mesh) {
+  meshes_[uri] = mesh ? std::make_shared<const Mesh>(*std::move(mesh)) : nullptr;
+}
+
+bool MeshFiles::IsMissing(const std::string& uri) const {
+  const auto known = meshes_.find(uri);
+  return known != meshes_.end() && !known->second;
+}
+
+void MeshFiles::Complain(const std::string& uri, const std::string& why) {
+  meshes_[uri] = nullptr;
+  complaints_[why].push_back(uri);
 }
 
 std::vector<std::string> MeshFiles::Complaints() const {

@@ -17,7 +17,11 @@ class Problems {
 
   /// @param line  From 1; 0 where no line is to blame.
   void Add(int line, const std::string& what) {
-    const std::string place = line > 0 ? file_ + ":" + std::to_string(line) : file_;
+    AddAt(line > 0 ? file_ + ":" + std::to_string(line) : file_, what);
+  }
+
+  /// @param place  `file:line`, where it is another file.
+  void AddAt(const std::string& place, const std::string& what) {
     lines_.push_back(place + ": error: " + what);
   }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// source_robot: a robot as its maker's URDF has it, and as the importer changes it.
+// source_robot: a robot as its maker's URDF or MJCF has it, and as the importer changes it.
 //
-// Flow: URDF -> [read_source] -> SourceRobot -> [clean_up] -> [body_plan, fit_sole, fit_shapes,
-// start_pose, choose_motors] -> [write_urdf, write_robot_yaml, write_scenarios] -> a folder.
-// Plain data: links and joints are told apart by their index.
+// Flow: URDF, MJCF -> [read_source, read_mjcf] -> SourceRobot -> [clean_up] -> [body_plan,
+// fit_sole, fit_shapes, start_pose, choose_motors] -> [write_urdf, write_robot_yaml,
+// write_scenarios] -> a folder. Plain data: links and joints are told apart by their index.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ struct SourceShape {
   ShapeKind kind{ShapeKind::kBox};
   /// m. Edges of a box; radius of a sphere; radius and length of a cylinder, along z.
   Eigen::Vector3d size_m{Eigen::Vector3d::Zero()};
-  std::string mesh;                                ///< As the URDF names the file.
+  std::string mesh;  ///< As the URDF names the file, the MJCF its mesh.
   Eigen::Vector3d scale{Eigen::Vector3d::Ones()};  ///< Of the mesh; negative mirrors.
   Eigen::Isometry3d X_LS{Eigen::Isometry3d::Identity()};
   std::optional<Eigen::Vector4d> rgba;
@@ -57,6 +57,9 @@ struct SourceJoint {
   double effort_Nm{0.0};  ///< 0: the URDF says nothing.
   double velocity_radps{0.0};
   double damping_Nms_per_rad{0.0};
+  double armature_kgm2{0.0};               ///< Only an MJCF tells; 0: unknown.
+  double servo_stiffness_Nm_per_rad{0.0};  ///< Likewise, of a <position>.
+  double servo_damping_Nms_per_rad{0.0};
   bool is_mimic{false};  ///< Follows another joint.
   int line{0};
   std::string note;
@@ -65,14 +68,23 @@ struct SourceJoint {
   bool has_range() const { return is_moving() && kind != JointKind::kContinuous; }
 };
 
+/// What a robot of ours can't have between joints that move.
+struct SourceCoupling {
+  std::vector<int> joints;
+  std::string place;  ///< `file:line`.
+  std::string what;   ///< A sentence about it.
+};
+
 struct SourceRobot {
   std::string name;
+  std::string language{"URDF"};  ///< For messages.
   std::vector<SourceLink> links;
   std::vector<SourceJoint> joints;
   int root{0};
   std::vector<int> joint_above;                ///< Of each link; -1 of the root.
   std::vector<std::vector<int>> joints_below;  ///< Of each link.
   std::vector<int> order;                      ///< Links, parents before children.
+  std::vector<SourceCoupling> couplings;
 };
 
 /// Fills root, joint_above, joints_below and order from links and joints. Returns what is no tree

@@ -85,11 +85,16 @@ class YamlWriter {
   }
 
   void WriteJoints() {
-    out_
-        << "\n# Limits of torque and velocity are the URDF's. Servos are chosen from m g h = "
-        << Figure(it_.mass_kg * 9.81 * it_.start.com_height_m, 3)
-        << " Nm.\n# decide: armature_kgm2 (rotor's inertia times the gear ratio squared) is not in "
-           "a URDF: chosen so that\n# the servo's damping times 1 ms is half of it.\njoints:\n";
+    out_ << "\n# Limits of torque and velocity are the URDF's. m g h = "
+         << Figure(it_.mass_kg * 9.81 * it_.start.com_height_m, 3)
+         << " Nm: where servos are chosen, they are by it.\n";
+    if (it_.LacksArmature()) {
+      out_
+          << "# decide: armature_kgm2 (rotor's inertia times the gear ratio squared) is not in the "
+          << it_.robot.language
+          << ": chosen so\n# that the servo's damping times 1 ms is half of it.\n";
+    }
+    out_ << "joints:\n";
     for (const MotorGroup& group : it_.motors) {
       out_ << "  - names: " << List(NamesOf(group.joints), "            ") << "  # " << group.name
            << "\n    armature_kgm2: " << Figure(group.armature_kgm2) << "\n";

@@ -3,6 +3,8 @@
 
 #include "models/import/text.h"
 #include "models/import/write_robot_yaml.h"
+#include "models/robot_description/home_pose.h"
+#include "models/robot_description/robot_figures.h"
 
 namespace sidestep::importer {
 namespace {
@@ -47,6 +49,25 @@ std::map<std::string, std::string> ScenarioTexts(const ImportedRobot& imported) 
       ", direction_rad: 1.571, at_phase: mid_stance, foot: left, after_s: 4.0, duration_s: 0.1}\n" +
       kWorld + "  recovered: true\n";
   return texts;
+}
+
+std::map<std::string, std::string> ScenariosOf(const RobotDescription& robot) {
+  if (!robot.model || robot.feet.size() != 2 || robot.joints.empty()) return {};
+  if (robot.base_freedom != BaseFreedom::kFree || robot.feet[0].vertices_m.cols() < 3) return {};
+  const HomePose home(robot);
+  const RobotFigures figures = FiguresOf(robot);
+  ImportedRobot stand_in;  // of what its scenarios are made from
+  stand_in.name = robot.name;
+  stand_in.robot.links.resize(1);
+  stand_in.robot.links[0].name = robot.base;
+  StartPose start;
+  start.com_height_m = figures.com_height_m;
+  start.leg_length_m = figures.soles[0].leg_length_m;
+  start.step_width_m =
+      (home.X_WO(robot.feet[0].frame).translation() - home.X_WO(robot.feet[1].frame).translation())
+          .norm();
+  stand_in.gait = ChooseGait(start);
+  return ScenarioTexts(stand_in);
 }
 
 }  // namespace sidestep::importer

@@ -10,7 +10,7 @@
 namespace sidestep::importer {
 namespace {
 
-constexpr int kDigits = 10;
+constexpr int kDigits = 12;
 constexpr double kNothing = 1e-13;  // what rounding leaves of a zero
 
 std::string Number(double value) {

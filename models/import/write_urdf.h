@@ -9,8 +9,8 @@
 namespace sidestep::importer {
 
 /// A whole document. Links come before the joints that they hang on, parents first; what was
-/// changed is a comment. Numbers have ten significant digits: a mass or an inertia reads back to
-/// 1e-10 of itself. @param source  What it was made from, for the comment on top.
+/// changed is a comment. Numbers have twelve significant digits: a mass or an inertia reads back
+/// to 1e-12 of itself. @param source  What it was made from, for the comment on top.
 std::string UrdfText(const SourceRobot& robot, const std::string& source);
 
 }  // namespace sidestep::importer

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "models/mjcf/base_joints.h"
 #include "models/mjcf/mjcf.h"
 #include "models/mjcf/mjcf_bounds.h"
+#include "models/mjcf/mjcf_message.h"
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
 #include "models/support/file_notes.h"
@@ -19,47 +18,11 @@
 namespace sidestep {
 namespace {
 
-/// Lines joined by "; ", without blanks around the joints.
-std::string InOneLine(const std::string& text) {
-  std::string joined;
-  for (const char c : text) {
-    if (c == '\n') {
-      joined.erase(joined.find_last_not_of(" ;:") + 1);
-      joined += "; ";
-    } else if (c != ' ' || !joined.ends_with(' ')) {
-      joined += c;
-    }
-  }
-  joined.erase(joined.find_last_not_of(" ;:") + 1);
-  return joined;
-}
-
-/// Cuts `word`, blanks, '=' and a number out of `text` and returns the number, 0 if there is none.
-int CutNumber(const std::string& word, std::string* text) {
-  const std::size_t start = text->find(word);
-  if (start == std::string::npos) return 0;
-  const std::size_t digits = text->find_first_not_of(" =", start + word.size());
-  if (digits == std::string::npos) return 0;
-  int number = 0;
-  const char* const last = text->data() + text->size();
-  const auto [end, error] = std::from_chars(text->data() + digits, last, number);
-  if (error != std::errc()) return 0;
-  text->erase(start, static_cast<std::size_t>(end - text->data()) - start);
-  return number;
-}
-
-/// MuJoCo's message in one line, with its place where we put ours. Its compiler says
-/// "line = 3, column = 7", its schema check "line 3, column 7", its XML parser "Line number=3";
-/// line 0 and column -1 mean unknown.
-[[noreturn]] void FailToCompile(const std::filesystem::path& mjcf, const std::string& message) {
-  std::string flat = InOneLine(message);
-  const int column = CutNumber(", column", &flat);
-  int line = 0;
-  for (const char* word : {", line", " Line number", " line"}) {
-    if (line == 0) line = CutNumber(word, &flat);
-  }
-  if (line < 1) throw ConfigError(mjcf.string() + ": error: " + flat);
-  throw ConfigError(mjcf.string(), line, std::max(column, 1), flat);
+/// MuJoCo's message in one line, with its place where we put ours.
+[[noreturn]] void FailToCompile(const std::filesystem::path& mjcf, const std::string& text) {
+  const MjcfMessage message = ReadMjcfMessage(text);
+  if (message.line < 1) throw ConfigError(mjcf.string() + ": error: " + message.what);
+  throw ConfigError(mjcf.string(), message.line, std::max(message.column, 1), message.what);
 }
 
 std::vector<std::string> NamesOfType(const mjModel& model, int type, int count) {

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "sim/episode/run_episode.h"
+#include "tests/support/maker_mjcf.h"
 #include "tests/support/maker_robot.h"
+#include "tests/support/run_files.h"
 #include "tests/support/sidestep_program.h"
 #include "tests/support/temp_folder.h"
 
@@ -34,11 +36,34 @@ MakerRobot Named(const std::string& name) {
   return maker;
 }
 
+MakerMjcf MjcfNamed(const std::string& name) {
+  MakerMjcf maker;
+  if (name == "mjcf_motors") {
+    maker.shares_hips = true;
+    maker.foot = MjcfFoot::kBalls;
+  } else if (name == "mjcf_servos") {
+    maker.actuators = MjcfActuators::kPositions;
+    maker.has_newer_words = true;
+    maker.is_fixed = true;
+  } else {
+    maker.actuators = MjcfActuators::kGenerals;
+    maker.foot = MjcfFoot::kCapsules;
+  }
+  return maker;
+}
+
+/// A URDF or an MJCF of the name.
+std::filesystem::path WriteNamed(const std::string& name, const std::filesystem::path& folder) {
+  if (name.rfind("mjcf", 0) == 0) return WriteMakerMjcf(MjcfNamed(name), name, folder);
+  return WriteMakerRobot(Named(name), folder);
+}
+
 class Import : public testing::TestWithParam<std::string> {
  protected:
   Import() {
-    const std::filesystem::path urdf = WriteMakerRobot(Named(GetParam()), folder_.path() / "maker");
-    const ProcessResult result = Sidestep({"robots", "import", urdf, "-o", folder_.path() / "out"});
+    const std::filesystem::path source = WriteNamed(GetParam(), folder_.path() / "maker");
+    const ProcessResult result =
+        Sidestep({"robots", "import", source, "-o", folder_.path() / "out"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
   }
 
@@ -71,8 +96,49 @@ TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Makers, Import, testing::Values("meshes", "trunk", "spheres", "fingers"),
+INSTANTIATE_TEST_SUITE_P(Makers, Import,
+                         testing::Values("meshes", "trunk", "spheres", "fingers", "mjcf_motors",
+                                         "mjcf_servos", "mjcf_generals"),
                          [](const auto& info) { return info.param; });
+
+/// A scenario of the robot that ships and of the same from its export, with what a clock wrote left
+/// out.
+TEST(ImportOfAnExport, BehavesBitForBitLikeTheRobotThatItCameFrom) {
+  for (const auto& [robot, scenario] :
+       {std::pair{"icub3", "icub_quick_push"}, std::pair{"g1", "g1_push"}}) {
+    const TempFolder folder;
+    const std::filesystem::path mjcf = folder.path() / "export.xml", out = folder.path() / "out";
+    EXPECT_EQ(Sidestep({"robots", robot, "--mjcf", mjcf}).exit_code, 0);
+    const ProcessResult imported = Sidestep({"robots", "import", mjcf, "-o", out});
+    EXPECT_EQ(imported.exit_code, 0) << imported.err;
+    const auto run = [&](const std::string& to, std::vector<std::string> more) {
+      std::vector<std::string> words{"run",        scenario,    "-o", folder.path() / to,
+                                     "--no-video", "--no-plots"};
+      words.insert(words.end(), more.begin(), more.end());
+      const ProcessResult result = Sidestep(words);
+      EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+      return TextOf(folder.path() / to / "states.bin");
+    };
+    const std::string own = run("own", {});
+    EXPECT_GT(own.size(), 100'000U);
+    EXPECT_TRUE(own == run("back", {"--set", "robot=" + (out / "robot.yaml").string()})) << robot;
+  }
+}
+
+TEST(ImportOfAnExport, IsReadAsAnyMjcfOnceItIsEdited) {
+  const TempFolder folder;
+  const std::filesystem::path mjcf = folder.path() / "export.xml", out = folder.path() / "out";
+  EXPECT_EQ(Sidestep({"robots", "generic_humanoid", "--mjcf", mjcf}).exit_code, 0);
+  const std::string text = TextOf(mjcf);
+  const std::string name = "name=\"pelvis_collision_0\"";
+  folder.Write("export.xml", Edit(text, "<geom " + name, "<geom condim=\"3\" " + name));
+  const ProcessResult result = Sidestep({"robots", "import", mjcf, "-o", out});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("restored"), std::string::npos);
+  const ProcessResult stands = Sidestep({"run", out / "generic_humanoid_world_stand.yaml", "-o",
+                                         folder.path() / "run", "--no-video", "--no-plots"});
+  EXPECT_EQ(stands.exit_code, 0) << stands.out << stands.err;
+}
 
 TEST(ImportCommand, RefusesAFolderThatHoldsSomething) {
   const TempFolder folder;

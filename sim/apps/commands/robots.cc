@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "models/import/embedded_robot.h"
 #include "models/robot_description/robot_faults.h"
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
@@ -47,9 +48,10 @@ void Print(const RobotDescription& robot) {
   for (const std::string& notice : robot.notices) std::printf("%s\n", notice.c_str());
 }
 
-// The world as a scenario with only defaults compiles it: robot, floor, light.
+// The world as a scenario with only defaults compiles it: robot, floor, light. It carries the
+// robot's files, so that an import of it is the same robot.
 void SaveMjcf(const RobotDescription& robot, const std::filesystem::path& file) {
-  WriteTextFile(file, DrawnWorldMjcf(robot));
+  WriteTextFile(file, importer::WithRobotFiles(DrawnWorldMjcf(robot), robot));
   std::printf("%s\n", file.c_str());
 }
 

@@ -71,16 +71,16 @@ int Import(ImportArguments arguments) {
 }  // namespace
 
 void AddRobotsImportCommand(CLI::App& robots, int& exit_code) {
-  CLI::App* command = robots.add_subcommand("import", "Make a robot of a maker's URDF");
+  CLI::App* command = robots.add_subcommand("import", "Make a robot of a maker's URDF or MJCF");
   const auto arguments = std::make_shared<ImportArguments>();
   importer::ImportOptions& options = arguments->options;
-  command->add_option("FILE", options.urdf, "The URDF, as it is")
+  command->add_option("FILE", options.source, "The URDF or MJCF, as it is")
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("-o,--out", options.folder, "Folder for the robot and its scenarios")
       ->required()
       ->type_name("DIR");
-  command->add_option("--name", options.name, "What to call it (default: the URDF's name)");
+  command->add_option("--name", options.name, "What to call it (default: the source's name)");
   command
       ->add_option("--package", arguments->packages,
                    "Where a package:// of the meshes lies; repeatable")

@@ -2,6 +2,7 @@
 #include "models/import/choose_motors.h"
 
 #include "models/import/choose_gait.h"
+#include "tests/support/maker_mjcf.h"
 #include "tests/unit/import/source_of.h"
 
 namespace sidestep::importer {
@@ -48,6 +49,49 @@ TEST(ChooseMotors, ReplacesLimitsThatNoMotorHas) {
   EXPECT_EQ(knee.velocity_radps, 12.0);
   EXPECT_EQ(knee.note,
             "effort was 1000000000: chosen from the robot's weight; velocity was 0: chosen");
+}
+
+std::vector<MotorGroup> MotorsOf(const MakerMjcf& maker, double gravity_Nm, Notes* notes) {
+  SourceRobot robot = SourceOfMjcf(RobotMjcf(maker));
+  const BodyPlan plan = FindBodyPlan(robot, "robot.xml", notes);
+  return ChooseMotors(plan, gravity_Nm, &robot, notes);
+}
+
+TEST(ChooseMotors, KeepsTheRotorsOfAnMjcfAndDampsWhatTheyBear) {
+  Notes notes;
+  for (const MotorGroup& group : MotorsOf(MakerMjcf(), 1000.0, &notes)) {
+    EXPECT_EQ(group.armature_kgm2, 0.04) << group.name;
+    EXPECT_EQ(group.joint_damping_Nms_per_rad, 0.0) << "the joints' own";
+    EXPECT_LE(group.damping_Nms_per_rad, 0.5 * 0.04 / kStep_s);
+    EXPECT_LE(group.stiffness_Nm_per_rad, 1.5 * 0.04 / (kStep_s * kStep_s));
+  }
+}
+
+TEST(ChooseMotors, TakesTheServosOfAnMjcfThatCarryTheRobot) {
+  MakerMjcf maker;
+  maker.actuators = MjcfActuators::kGenerals;
+  Notes stiff;
+  const MotorGroup legs = MotorsOf(maker, 400.0, &stiff)[0];
+  EXPECT_EQ(legs.stiffness_Nm_per_rad, 9000.0);
+  EXPECT_EQ(legs.damping_Nms_per_rad, 18.0);
+  EXPECT_TRUE(HasNote(stiff, "took the servos of the MJCF's position actuators"));
+  Notes soft;  // 9000 Nm/rad are 2.25 m g h
+  EXPECT_EQ(MotorsOf(maker, 4000.0, &soft)[0].stiffness_Nm_per_rad, 60000.0) << "a step's most";
+  EXPECT_TRUE(HasNote(soft,
+                      "chose stiffer servos than the MJCF's position actuators, whose 9000 "
+                      "Nm/rad are less than 3 m g h (12000 Nm/rad)"));
+}
+
+TEST(ChooseMotors, JointsWithOtherFiguresAreGroupsOfTheirOwn) {
+  std::string mjcf = RobotMjcf(MakerMjcf());
+  const std::string knee = "<joint name=\"left_knee\"";
+  SourceRobot robot = SourceOfMjcf(Edit(mjcf, knee, knee + " armature=\"0.09\""));
+  Notes notes;
+  const BodyPlan plan = FindBodyPlan(robot, "robot.xml", &notes);
+  const std::vector<MotorGroup> groups = ChooseMotors(plan, 400.0, &robot, &notes);
+  ASSERT_EQ(groups.size(), 4U);
+  EXPECT_EQ(groups[1].joints, std::vector<int>{JointCalled(robot, "left_knee")});
+  EXPECT_EQ(groups[1].name, "legs");
 }
 
 TEST(ChooseGait, IsTheSameWalkAtEverySize) {

@@ -13,7 +13,7 @@ namespace {
 /// Imports into `folder`/out.
 ImportReport ImportInto(const TempFolder& folder, const MakerRobot& maker) {
   ImportOptions options;
-  options.urdf = WriteMakerRobot(maker, folder.path() / "maker");
+  options.source = WriteMakerRobot(maker, folder.path() / "maker");
   options.folder = folder.path() / "out";
   return ImportRobot(options);
 }

@@ -54,7 +54,7 @@ TEST_F(MeshFilesTest, ReadsNothingElseUnlessItIsNamed) {
 
 TEST_F(MeshFilesTest, SaysWhichAreMissing) {
   EXPECT_FALSE(Finds("meshes/none.stl"));
-  EXPECT_EQ(complaints_[0], "could not read 'meshes/none.stl': no such file in the URDF's folder");
+  EXPECT_EQ(complaints_[0], "could not read 'meshes/none.stl': no such file in the model's folder");
   EXPECT_FALSE(Finds("package://p/none.stl"));
   EXPECT_EQ(
       complaints_[0],

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/weak_ankles.h"
+
+#include <cmath>
+
+#include "models/import/posture.h"
+#include "models/import/text.h"
+
+namespace sidestep::importer {
+namespace {
+
+constexpr double kEarth_mps2 = 9.81;
+constexpr std::size_t kAnkleJoints = 2;  // the last ones of a leg
+
+}  // namespace
+
+Notes WeakAnkles(const SourceRobot& robot, const BodyPlan& plan, const std::array<Foot, 2>& feet) {
+  const Placement zero(robot, ZeroPosture(robot));
+  const double weight_N = TotalMass_kg(robot) * kEarth_mps2;
+  Notes notes;
+  for (std::size_t side = 0; side < feet.size(); ++side) {
+    const Limb& leg = plan.legs[side];
+    const Sole& sole = feet[side].sole;
+    const Eigen::Matrix3d R_WS = (zero.X_WL(leg.end) * sole.X_FS).linear();
+    for (std::size_t i = leg.joints.size() - kAnkleJoints; i < leg.joints.size(); ++i) {
+      const SourceJoint& joint = robot.joints[static_cast<std::size_t>(leg.joints[i])];
+      const Eigen::Vector3d axis_S = R_WS.transpose() * zero.axis_W(leg.joints[i]);
+      const double needed_Nm =
+          weight_N * 0.5 *
+          (std::abs(axis_S.y()) * sole.length_m + std::abs(axis_S.x()) * sole.width_m);
+      if (joint.effort_Nm >= needed_Nm) continue;
+      notes.push_back("'" + joint.name + "' has " + Figure(joint.effort_Nm, 3) +
+                      " Nm, and the robot's weight over its sole's edge takes " +
+                      Figure(needed_Nm, 3) + " Nm; if it falls, raise the effort in robot.urdf");
+    }
+  }
+  return notes;
+}
+
+}  // namespace sidestep::importer

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/import/mjcf_rewrite.h"
+
+#include "models/import/posture.h"
+#include "tests/unit/import/source_of.h"
+
+namespace sidestep::importer {
+namespace {
+
+constexpr char kQuarterTurn[] = "0 0 1.5707963267948966";
+
+TEST(MjcfRewrite, AFrameIsAPoseAndNoLink) {
+  const SourceRobot robot =
+      SourceOfMjcf(SmallMjcf("<frame pos=\"1 0 0\" euler=\"" + std::string(kQuarterTurn) +
+                                 "\">\n<frame pos=\"0 2 0\"><site name=\"s\" pos=\"0 0 3\"/><geom "
+                                 "size=\"0.1\"/></frame></frame>\n",
+                             "", "<compiler angle=\"radian\"/>"));
+  EXPECT_EQ(robot.links.size(), 3U) << "pelvis, leg and the site";
+  const Placement at(robot, ZeroPosture(robot));
+  EXPECT_TRUE(
+      at.X_WL(FindLink(robot, "s")).translation().isApprox(Eigen::Vector3d(-1.0, 0.0, 3.0), 1e-12));
+  EXPECT_EQ(LinkCalled(robot, "pelvis").mass.mass_kg, 3.0) << "its <inertial> is all its mass";
+  EXPECT_EQ(LinkCalled(robot, "pelvis").collisions.size(), 1U);
+}
+
+TEST(MjcfRewrite, AShapeInAFrameWeighsWhereTheBodyHasNoInertial) {
+  const SourceRobot robot =
+      SourceOfMjcf(SmallMjcf("<body name=\"ball\"><frame pos=\"0 0 1\"><geom size=\"0.1\" "
+                             "mass=\"5\"/></frame></body>\n"));
+  EXPECT_NEAR(LinkCalled(robot, "ball").mass.mass_kg, 5.0, 1e-12);
+  EXPECT_NEAR(LinkCalled(robot, "ball").mass.com_m.z(), 1.0, 1e-12);
+}
+
+TEST(MjcfRewrite, AJointInAFrameIsRefused) {
+  EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body><geom size=\"1\"/>\n<frame><joint "
+                                  "name=\"j\"/></frame></body>\n")),
+            "robot.xml:7: error: <joint> 'j' is in a <frame>: move it into the body, in the body's "
+            "axes");
+}
+
+TEST(MjcfRewrite, RangesLimitWhereTheFileDoesNotSay) {
+  const std::string hinge = SmallMjcf("");
+  EXPECT_EQ(SourceOfMjcf(hinge).joints[0].kind, JointKind::kRevolute);
+  const std::string old = SmallMjcf("", "", "<compiler autolimits=\"false\"/>");
+  EXPECT_EQ(MjcfErrorOf(old).find("robot.xml:5: error: Error: joint has `range` but not `limited`"),
+            0U)
+      << "what it says stays";
+}
+
+TEST(MjcfRewrite, TheScenesOwnThingsArePassedOver) {
+  Notes notes;
+  SourceOfMjcf(SmallMjcf("<camera name=\"c\"/>", "<option gravity=\"0 0 -1\"/><keyframe/>",
+                         "<asset><texture type=\"skybox\" builtin=\"flat\"/></asset>"),
+               &notes);
+  EXPECT_TRUE(HasNote(notes, "passed over 1 <camera>, 1 <keyframe>, 1 <option>, 1 <texture>"));
+}
+
+TEST(MjcfRewrite, SceneryThatCantBeTakenIsPassedOver) {
+  Notes notes;
+  SourceOfMjcf(SmallMjcf("",
+                         "<worldbody><replicate count=\"9\"><geom "
+                         "size=\"1\"/></replicate><flexcomp/></worldbody>"),
+               &notes);
+  EXPECT_TRUE(HasNote(notes, "passed over 1 <flexcomp>, 1 <replicate>"));
+}
+
+TEST(MjcfRewrite, OnlyMotorsOfJointsStay) {
+  Notes notes;
+  SourceOfMjcf(SmallMjcf("<site name=\"nozzle\"/>",
+                         "<actuator>\n<general name=\"jet\" "
+                         "site=\"nozzle\"/></actuator>"),
+               &notes);
+  EXPECT_TRUE(HasNote(notes, "robot.xml:8: left out the <general> 'jet', which is no joint's"));
+}
+
+}  // namespace
+}  // namespace sidestep::importer
