@@ -45,19 +45,34 @@ class PlanFinder : private Branches {
 
   void FindLegs() {
     const std::vector<int> ends = Ends();
+    std::string arms;
     for (std::size_t i = 0; i < ends.size(); ++i) {
       for (std::size_t k = i + 1; k < ends.size(); ++k) {
         const int pelvis = CommonAncestor(ends[i], ends[k]);
         const std::vector<int> chain = Chain(pelvis, ends[i]);
         if (chain.size() != Chain(pelvis, ends[k]).size() || chain.size() < kMinLegJoints) continue;
         if (!MirrorEachOther(ends[i], ends[k])) continue;
+        if (IsArm(chain)) {
+          arms = Name(ends[i]) + "' and '" + Name(ends[k]);
+          continue;
+        }
         plan_.pelvis = pelvis;
         RequireLowest(ends[i], ends[k]);
         plan_.legs = {Leg(ends[i]), Leg(ends[k])};
         return;
       }
     }
-    Fail("has no two legs: no two branches of as many joints mirror each other");
+    Fail(arms.empty() ? "has no two legs: no two branches of as many joints mirror each other"
+                      : "has no two legs: '" + arms + "' end two arms, as their joints' names say");
+  }
+
+  /// Whether the names of a branch's joints and links speak of an arm.
+  bool IsArm(const std::vector<int>& chain) const {
+    int votes = 0;
+    for (const int joint : chain) {
+      votes += LegInName(Joint(joint).name) + LegInName(Name(Joint(joint).child));
+    }
+    return votes < 0;
   }
 
   /// Arms of a robot without legs end above the rest of it.

@@ -108,6 +108,7 @@ class FootMaker {
       }
       foot.sole = FitTo(link, points);
       foot.found_in = "inertia, as it has no shape that could be read";
+      foot.is_guessed = true;
     }
     if (foot.found_in.empty()) foot.found_in = "shapes";
     return foot;

@@ -19,6 +19,7 @@ struct Foot {
   int frame{-1};                ///< Link without mass, at or near the sole's middle.
   int force_torque{-1};         ///< Link without mass, at the ankle: all of the foot is beyond it.
   std::string found_in;         ///< What the sole was fitted to.
+  bool is_guessed{false};       ///< From the inertia: there was no shape to fit it to.
   Eigen::Matrix3Xd vertices_m;  ///< In the frame: corners a little inside the sole.
 };
 

@@ -162,6 +162,13 @@ class Import {
     it_.motors = ChooseMotors(it_.plan, gravity_Nm, &it_.robot, &report_.done);
     it_.gait = ChooseGait(it_.start);
     it_.control = ChooseControl(it_.mass_kg, it_.start.com_height_m);
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (!it_.feet[side].is_guessed) continue;
+      report_.to_decide.push_back(
+          std::string("vertices_m: the ") + (side == 0 ? "left" : "right") +
+          " sole is a guess from the foot's inertia, as none of its shapes could be read" +
+          " (--package NAME=DIR says where meshes lie)");
+    }
     if (it_.LacksArmature()) {
       report_.to_decide.push_back("armature_kgm2: the " + it_.robot.language +
                                   " has none; chosen to suit the servos");

@@ -42,4 +42,17 @@ int SideInName(const std::string& name) {
   return is_left == is_right ? 0 : is_left ? 1 : -1;
 }
 
+int LegInName(const std::string& name) {
+  static const std::set<std::string> kLeg{"leg",  "hip",   "thigh", "knee", "shank", "calf",
+                                          "shin", "ankle", "foot",  "toe",  "sole",  "haa"};
+  static const std::set<std::string> kArm{"arm",   "shoulder", "elbow", "forearm",
+                                          "wrist", "hand",     "palm",  "gripper"};
+  bool is_leg = false, is_arm = false;
+  for (const std::string& word : Words(name)) {
+    is_leg = is_leg || kLeg.count(word) > 0;
+    is_arm = is_arm || kArm.count(word) > 0;
+  }
+  return is_leg == is_arm ? 0 : is_leg ? 1 : -1;
+}
+
 }  // namespace sidestep::importer

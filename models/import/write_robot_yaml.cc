@@ -116,6 +116,7 @@ class YamlWriter {
     out_ << "\nfeet:\n";
     for (std::size_t side = 0; side < 2; ++side) {
       const Foot& foot = it_.feet[side];
+      if (foot.is_guessed) out_ << "# decide: this sole is a guess; measure the foot's.\n";
       out_ << "  - name: " << (side == 0 ? "left" : "right") << "  # sole of "
            << Figure(foot.sole.length_m, 3) << " m x " << Figure(foot.sole.width_m, 3)
            << " m, found in the " << foot.found_in

@@ -70,7 +70,8 @@ std::string TerminalLines(const Canvas& canvas, const std::string& name) {
         << canvas.font_px / Canvas().font_px << "\n} else {\n  set terminal svg size "
         << canvas.width_px << "," << canvas.height_px << (canvas.is_fixed ? " fixed" : " dynamic")
         << " font \"DejaVu Sans," << canvas.font_px << "\" noenhanced linewidth " << line
-        << "\n} }\nset output \"" << name << ".\".format\n";
+        << "\n} }\nif (!exists(\"ending\")) ending = \"\"\nset output \"" << name
+        << ".\".format.ending\n";
   return lines.str();
 }
 

@@ -23,6 +23,34 @@ struct PlottedView {
   std::string title;  // after the run's
 };
 
+constexpr char kUnfinished[] = ".part";
+
+/// Pictures while gnuplot draws them: they take their names when all are whole, or go.
+class UnfinishedPictures {
+ public:
+  explicit UnfinishedPictures(const std::vector<fs::path>& pictures) : pictures_(pictures) {}
+  UnfinishedPictures(const UnfinishedPictures&) = delete;
+  UnfinishedPictures& operator=(const UnfinishedPictures&) = delete;
+  ~UnfinishedPictures() {
+    std::error_code ignored;
+    for (const fs::path& picture : pictures_) fs::remove(PartOf(picture), ignored);
+  }
+
+  void Finish() const {
+    std::error_code failure;
+    for (const fs::path& picture : pictures_) {
+      fs::rename(PartOf(picture), picture, failure);
+      if (!failure) continue;
+      throw ConfigError(picture.string() + ": error: can't be written: " + failure.message());
+    }
+  }
+
+ private:
+  static fs::path PartOf(const fs::path& picture) { return picture.string() + kUnfinished; }
+
+  const std::vector<fs::path>& pictures_;
+};
+
 void CheckNames(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto& known = PlotNames();
@@ -116,7 +144,10 @@ std::vector<fs::path> PlotRun(const fs::path& run_dir, const PlotOptions& option
       pictures.push_back(dir / (name + "." + format));
     }
   }
+  words.insert(words.begin(), {"-e", std::string("ending='") + kUnfinished + "'"});
+  const UnfinishedPictures unfinished(pictures);
   RunGnuplot(words, {}, dir);
+  unfinished.Finish();
   return pictures;
 }
 

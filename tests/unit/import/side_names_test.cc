@@ -20,5 +20,17 @@ TEST(SideNames, ReadsWordsNotLetters) {
   }
 }
 
+TEST(SideNames, TellsLegsFromArms) {
+  for (const char* name : {"LHipYaw", "left_knee", "LEG_R1", "ankleRoll", "l_foot"}) {
+    EXPECT_EQ(LegInName(name), 1) << name;
+  }
+  for (const char* name : {"LeftShoulderYaw", "r_elbow", "RightWristYaw", "left_hand_link"}) {
+    EXPECT_EQ(LegInName(name), -1) << name;
+  }
+  for (const char* name : {"pelvis", "armature", "legend", "foot_hand", "link3", ""}) {
+    EXPECT_EQ(LegInName(name), 0) << name;
+  }
+}
+
 }  // namespace
 }  // namespace sidestep::importer
