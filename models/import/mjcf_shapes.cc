@@ -48,7 +48,8 @@ class ShapeTaker {
         to.collisions.push_back(shape);
         to.collisions.back().rgba.reset();
         if (is_drawn) seen[static_cast<std::size_t>(link)].push_back(shape);
-        if (type == mjGEOM_ELLIPSOID) fitted_.push_back(to.name);
+        const bool is_told = !fitted_.empty() && fitted_.back() == to.name;
+        if (type == mjGEOM_ELLIPSOID && !is_told) fitted_.push_back(to.name);
       } else if (is_drawn) {
         to.visuals.push_back(shape);
       }

@@ -59,7 +59,7 @@ void ReplaceCollisionMeshes(MeshFiles* meshes, SourceRobot* robot, Notes* notes)
       if (mesh) {
         kept.push_back(FitShape(SurfaceOf(shape, mesh.get())));
         kept.back().note = "fitted to " + shape.mesh;
-        fitted.push_back(link.name);
+        if (fitted.empty() || fitted.back() != link.name) fitted.push_back(link.name);
       } else if (link.has_mass() && !has_box) {
         kept.push_back(BoxOfInertia(link.mass));
         kept.back().note = "the box of the link's inertia: " + shape.mesh + " could not be read";
