@@ -4,6 +4,7 @@
 #include <random>
 
 #include "models/import/import_robot.h"
+#include "models/mjcf/mjcf.h"
 #include "models/robot_description/robot_description.h"
 #include "tests/support/maker_mjcf.h"
 #include "tests/unit/import/source_of.h"
