@@ -96,7 +96,8 @@ CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) 
   plan.jobs = arguments.jobs;
   plan.time_limit_s = arguments.time_limit_s;
   plan.clear = [may_replace = MayReplace(arguments)](const std::filesystem::path& run_dir) {
-    PrepareOutFolder(run_dir, may_replace);  // a run that dies must not leave an older one's files
+    // A run that dies must not leave an older one's files.
+    [[maybe_unused]] const OutFolderLock lock = PrepareOutFolder(run_dir, may_replace);
   };
   plan.arguments = {"--jobs", "1", "--plots", arguments.plots};
   if (!arguments.has_video) plan.arguments.push_back("--no-video");
