@@ -12,29 +12,27 @@ namespace {
 
 constexpr int kRounds = 8;
 constexpr int kArmSamples = 30;
-constexpr double kPosture = 0.02;     // per rad^2, of costs near 1: decides where nothing else does
-constexpr double kLongStretch = 0.6;  // of the longest between two joints
-constexpr double kSpread = 4.0;       // per (m/m)^2 that the arm points too far in or out
-constexpr double kAhead = 0.5;        // the same forwards or backwards
+constexpr double kPosture = 0.02;  // per rad^2, of costs near 1: decides where nothing else does
+constexpr double kNear = 0.2;      // of the farthest point: says little of where the arm points
+constexpr double kSpread = 4.0;    // per (m/m)^2 that the arm points too far in or out
+constexpr double kAhead = 0.5;     // the same forwards or backwards
 
-/// What points down: from the shoulder to each joint beyond and to the CoM of the arm's end. The
-/// shoulder is the joint before the arm's first long stretch; the longest may be the forearm.
+/// What points down: from the shoulder to each joint beyond that is not near it, and to the CoM of
+/// the arm's end. A shoulder's last joint is the third, in a simple arm the one before the elbow.
 std::vector<Eigen::Vector3d> DirectionsOf(const Placement& placement, const Limb& arm) {
   std::vector<Eigen::Vector3d> points;
   for (const int joint : arm.joints) points.emplace_back(placement.X_WJ(joint).translation());
   points.push_back(placement.CenterOfMass_W(arm.end));
-  double longest_m = 0.0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    longest_m = std::max(longest_m, (points[i + 1] - points[i]).norm());
-  }
-  std::size_t shoulder = 0;
-  while (shoulder + 2 < points.size() &&
-         (points[shoulder + 1] - points[shoulder]).norm() < kLongStretch * longest_m) {
-    ++shoulder;
+  const std::size_t shoulder =
+      std::min<std::size_t>(2, std::max<std::size_t>(2, arm.joints.size()) - 2);
+  double reach_m = 0.0;
+  for (const Eigen::Vector3d& point : points) {
+    reach_m = std::max(reach_m, (point - points[shoulder]).norm());
   }
   std::vector<Eigen::Vector3d> directions;
   for (std::size_t i = shoulder + 1; i < points.size(); ++i) {
     const Eigen::Vector3d along = points[i] - points[shoulder];
+    if (along.norm() < kNear * reach_m) continue;
     directions.emplace_back(along / std::max(along.norm(), 1e-9));
   }
   return directions;
