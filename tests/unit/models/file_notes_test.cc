@@ -35,7 +35,7 @@ TEST(FileNotesTest, NoticesAreNoProblems) {
   notes.Notice({4, 1}, "two\nlines");
   EXPECT_FALSE(notes.has_problems());
   EXPECT_EQ(ErrorOf(notes), "no error");
-  EXPECT_EQ(notes.notices(), std::vector<std::string>{"a.urdf:4:1: notice: two\nlines"});
+  EXPECT_EQ(notes.notices(), std::vector<std::string>{"a.urdf:4:1: notice: two lines"});
 }
 
 TEST(FileNotesTest, OfTooManyProblemsTheRestIsCounted) {

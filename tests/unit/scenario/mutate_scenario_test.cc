@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "models/support/plain_line.h"
 #include "sim/scenario/write_scenario.h"
 #include "tests/unit/scenario/scenario_fixture.h"
 
@@ -83,7 +84,7 @@ TEST_F(MutateScenarioTest, EveryMutantOverrideIsAppliedOrRefusedByName) {
     } catch (const ConfigError& error) {
       // A mutant may also spoil the whole, which then shows at a place of the file.
       const std::string message = folder_.Shorten(error.what());
-      EXPECT_TRUE(message.starts_with("--set " + assignment + ": error: ") ||
+      EXPECT_TRUE(message.starts_with(PlainLine("--set " + assignment + ": error: ")) ||
                   message.starts_with("a.yaml:"))
           << message;
       ++refused;
