@@ -85,6 +85,7 @@ int RunCommandLine(int argc, char** argv) {
   AddPlotCommand(app, exit_code);
   AddReportCommand(app, exit_code);
   AddFilmCommand(app, exit_code);
+  AddScenariosCommand(app, exit_code);
   AddRobotsCommand(app, exit_code);
   AddKeysCommand(app, exit_code);
   AddMetricsCommand(app, exit_code);

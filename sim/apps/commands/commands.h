@@ -36,6 +36,9 @@ void AddReportCommand(CLI::App& app, int& exit_code);
 /// `film RUN_A RUN_B`: two runs side by side.
 void AddFilmCommand(CLI::App& app, int& exit_code);
 
+/// `scenarios`: lists the scenarios that ship.
+void AddScenariosCommand(CLI::App& app, int& exit_code);
+
 /// `robots [ROBOT]`: lists the robots that ship, or tells of one.
 void AddRobotsCommand(CLI::App& app, int& exit_code);
 
