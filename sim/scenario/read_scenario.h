@@ -21,7 +21,8 @@ using RobotReader = std::function<RobotDescription(const std::filesystem::path& 
 /// @param file       The YAML file; it may be based on another (based_on.h). A robot named by a
 ///                   path is relative to the folder of the file that names it; by
 ///                   `--set robot=path`, to the current one.
-/// @param overrides  Assignments `a.b=c`, applied in order (see apply_override.h).
+/// @param overrides  Assignments `a.b=c` and `--push TEXT`, applied in order (see
+///                   apply_override.h).
 /// @param note       Told of keys under an old name, in the file, an override or the robot.yaml's
 ///                   `control` block.
 /// @param read_robot Reads all of the robot but that block.

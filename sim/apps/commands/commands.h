@@ -59,6 +59,12 @@ void AddSolveCommand(CLI::App& app, int& exit_code);
 /// Adds `--set a.b=c`, repeatable; each takes one value, so a path may follow.
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
 
+/// Adds --set and `--push TEXT`, repeatable; pushes stand before assignments, which may edit them.
+void AddOverrideOptions(CLI::App& command, std::vector<std::string>& overrides);
+
+/// The options' words again, for another process.
+std::vector<std::string> OverrideWords(const std::vector<std::string>& overrides);
+
 /// What an option that takes a time of a run (s) asks of it: a number, not negative.
 CLI::Validator TimeInRun();
 

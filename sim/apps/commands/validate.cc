@@ -56,7 +56,7 @@ void AddValidateCommand(CLI::App& app, int& exit_code) {
                    "Files of scenarios or sweeps, or names of scenarios that ship; folders are "
                    "searched for *.yaml")
       ->required();
-  AddSetOption(*command, arguments->overrides);
+  AddOverrideOptions(*command, arguments->overrides);
   command->callback([arguments, &exit_code] { exit_code = Validate(*arguments); });
 }
 
