@@ -125,6 +125,7 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
 
   Scenario scenario;
   scenario.file = file;
+  scenario.overrides = overrides;
   CheckFormat(root, &map);
   Mistakes mistakes;
   ReadBasics(map, &scenario, &mistakes);
