@@ -22,7 +22,6 @@
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/process/interrupt.h"
-#include "sim/record/git_commit.h"
 
 namespace sidestep {
 namespace {
@@ -75,8 +74,7 @@ int RunCommandLine(int argc, char** argv) {
   int exit_code = kExitPass;
   CLI::App app("Pushes simulated legged robots and tells you whether they catch themselves.",
                "sidestep");
-  app.set_version_flag("--version",
-                       std::string("sidestep " SIDESTEP_VERSION " (git ") + GitCommit() + ")");
+  app.set_version_flag("--version", VersionText());
   app.require_subcommand(1);
   AddRunCommand(app, exit_code);
   AddCheckCommand(app, exit_code);

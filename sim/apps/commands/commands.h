@@ -74,6 +74,9 @@ void PrintNote(const std::string& note);
 /// Adds --plots always|failed|never, with `help`, and --no-plots; both go to `plots`.
 void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plots);
 
+/// The program's name, version and git commit, in one line.
+std::string VersionText();
+
 /// The words of this process's command line, for summary.json.
 std::vector<std::string> CommandWords();
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/apps/commands/commands.h"
+#include "sim/record/git_commit.h"
 #include "sim/scenario/push_option.h"
 
 namespace sidestep {
@@ -68,6 +69,10 @@ CLI::Validator TimeInRun() {
 }
 
 void PrintNote(const std::string& note) { std::fprintf(stderr, "%s\n", note.c_str()); }
+
+std::string VersionText() {
+  return std::string("sidestep " SIDESTEP_VERSION " (git ") + GitCommit() + ")";
+}
 
 std::vector<std::string> CommandWords() {
   std::ifstream in("/proc/self/cmdline", std::ios::binary);
