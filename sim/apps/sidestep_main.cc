@@ -74,7 +74,7 @@ int RunCommandLine(int argc, char** argv) {
   int exit_code = kExitPass;
   CLI::App app("Pushes simulated legged robots and tells you whether they catch themselves.",
                "sidestep");
-  app.set_version_flag("--version", "sidestep " SIDESTEP_VERSION);
+  app.set_version_flag("--version", VersionText());
   app.require_subcommand(1);
   AddRunCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
@@ -85,6 +85,7 @@ int RunCommandLine(int argc, char** argv) {
   AddPlotCommand(app, exit_code);
   AddReportCommand(app, exit_code);
   AddFilmCommand(app, exit_code);
+  AddScenariosCommand(app, exit_code);
   AddRobotsCommand(app, exit_code);
   AddKeysCommand(app, exit_code);
   AddMetricsCommand(app, exit_code);

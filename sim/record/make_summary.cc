@@ -7,7 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "models/support/hash_text.h"
+#include "sim/scenario/push_option.h"
 #include "sim/scenario/resolve_pushes.h"
+#include "sim/scenario/write_scenario.h"
+#include "sim/world/world_model.h"
 
 namespace sidestep {
 namespace {
@@ -133,6 +137,11 @@ RunSummary MakeSummary(const Scenario& scenario, const RunOutcome& outcome, cons
       StageTimesOf(Column(facts.whole_body, &StageTime::cpu_ms), control_period_ms);
   summary.seed = scenario.seed;
   summary.command = facts.command;
+  for (const std::string& text : scenario.overrides) {
+    summary.overrides.push_back(text.starts_with(kPushOption) ? text : "--set " + text);
+  }
+  summary.scenario_hash = HashText(ResolvedYaml(scenario));
+  if (scenario.plant == Plant::kMujoco) summary.model_hash = HashText(SimulatedMjcf(scenario));
   summary.simulated_s = facts.simulated_s;
   summary.wall_s = facts.took.wall_s;
   summary.cpu_s = facts.took.cpu_s;

@@ -185,7 +185,10 @@ struct RunSummary {
   StageTimes whole_body_cpu;                     ///< Of the processor.
   std::vector<std::pair<std::string, std::string>> versions;  ///< {program or library, version}.
   std::uint64_t seed{0};
-  std::vector<std::string> command;  ///< The program's arguments.
+  std::vector<std::string> command;    ///< The program's arguments.
+  std::vector<std::string> overrides;  ///< The command line's `--set a.b=c` and `--push TEXT`.
+  std::string scenario_hash;           ///< HashText() of the resolved scenario.
+  std::string model_hash;  ///< Of the MJCF that MuJoCo compiled; empty of the centroidal plant.
   double simulated_s{kNotTold};
   double wall_s{kNotTold};
   double cpu_s{kNotTold};                 ///< Of the processor.
@@ -210,6 +213,9 @@ struct RunSummary {
     visit("versions", self.versions);
     visit("seed", self.seed);
     visit("command", self.command);
+    visit("overrides", self.overrides, kAddedLater);
+    visit("scenario_hash", self.scenario_hash, kAddedLater);
+    visit("model_hash", self.model_hash, kAddedLater);
     visit("simulated_s", self.simulated_s);
     visit("wall_s", self.wall_s);
     visit("cpu_s", self.cpu_s, kAddedLater);

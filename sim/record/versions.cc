@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/mjcf/mjcf.h"
+#include "sim/record/git_commit.h"
 #include "sim/record/make_summary.h"
 
 namespace sidestep {
@@ -23,6 +24,7 @@ constexpr char kCompiler[] = "GCC " __VERSION__;
 std::vector<std::pair<std::string, std::string>> Versions() {
   return {
       {"sidestep", SIDESTEP_VERSION},
+      {"git_commit", GitCommit()},
       {"mujoco", mj_versionString()},
       {"ipopt", IPOPT_VERSION},
       {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +

@@ -118,6 +118,15 @@ std::string Settings(const RunEvidence& run) {
   for (const auto& [name, version] : run.summary.versions) {
     rows.push_back({Escaped(name), Escaped(version)});
   }
+  for (const std::string& text : run.summary.overrides) {
+    rows.push_back({"override", Escaped(text)});
+  }
+  if (!run.summary.scenario_hash.empty()) {
+    rows.push_back({"hash of the scenario", Escaped(run.summary.scenario_hash)});
+  }
+  if (!run.summary.model_hash.empty()) {
+    rows.push_back({"hash of the model", Escaped(run.summary.model_hash)});
+  }
   return Table({}, rows);
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/scenario/push_option.h"
+
 namespace sidestep {
 namespace {
 
@@ -82,6 +84,10 @@ void RemoveRivals(const std::string& key, ConfigTree* push) {
 }  // namespace
 
 void ApplyOverride(const std::string& assignment, ConfigTree* root, const NoteSink& note) {
+  if (assignment.starts_with(kPushOption)) {
+    AddPush(assignment.substr(kPushOption.size()), root);
+    return;
+  }
   const ConfigSource source{"--set " + assignment, false};
   const ConfigPlace place{std::make_shared<const ConfigSource>(source), 1, 1};
   const std::size_t equals = assignment.find('=');

@@ -15,7 +15,8 @@ namespace sidestep {
 /// ways to tell what the override tells (force_N for magnitude_N, start_s for at_phase) are
 /// dropped. Old names of keys, in the path and in the value, become their present ones, with a
 /// note. Throws ConfigError: `--set a.b=c: error: ...`. Errors that the reader later finds in the
-/// new value read the same way.
+/// new value read the same way. An assignment that begins with `--push ` adds a push instead: see
+/// push_option.h.
 void ApplyOverride(const std::string& assignment, ConfigTree* root, const NoteSink& note = {});
 
 }  // namespace sidestep

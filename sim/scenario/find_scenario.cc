@@ -30,18 +30,23 @@ std::vector<std::string> ShippedScenarios() {
   return names;
 }
 
+fs::path FindShippedScenario(const fs::path& name) {
+  const std::string stem = (name.extension() == kExtension ? name.stem() : name).string();
+  const std::vector<std::string> shipped = ShippedScenarios();
+  const bool is_shipped = std::find(shipped.begin(), shipped.end(), stem) != shipped.end();
+  return is_shipped ? ScenariosFolder() / (stem + kExtension) : fs::path();
+}
+
 fs::path FindScenario(const fs::path& word) {
   std::error_code ignored;
   if (fs::exists(word, ignored) && !fs::is_directory(word, ignored)) return word;
   const char* what = fs::is_directory(word, ignored) ? "is a folder" : "does not exist";
   if (word.has_parent_path()) throw ConfigError(word.string() + ": error: " + what);
+  const fs::path shipped = FindShippedScenario(word);
+  if (!shipped.empty()) return shipped;
   const std::string name = (word.extension() == kExtension ? word.stem() : word).string();
-  const std::vector<std::string> shipped = ShippedScenarios();
-  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) {
-    return ScenariosFolder() / (name + kExtension);
-  }
   throw ConfigError(word.string() + ": error: " + what + "; " +
-                    DidYouMean(name, shipped, "scenarios that ship"));
+                    DidYouMean(name, ShippedScenarios(), "scenarios that ship"));
 }
 
 bool IsSweepFile(const fs::path& file) {

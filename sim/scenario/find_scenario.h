@@ -17,6 +17,9 @@ std::vector<std::string> ShippedScenarios();
 /// @throws ConfigError, which names a shipped scenario that looks like it, if it is neither.
 std::filesystem::path FindScenario(const std::filesystem::path& word);
 
+/// The file of a shipped scenario, by its name with `.yaml` or without; empty if none has it.
+std::filesystem::path FindShippedScenario(const std::filesystem::path& name);
+
 /// The key that a sweep's file begins with, where a scenario's has `sidestep`.
 inline constexpr const char* kSweepKey = "sidestep_sweep";
 

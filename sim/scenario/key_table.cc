@@ -8,6 +8,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/nearest_name.h"
+#include "sim/scenario/based_on.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/yaml_writer.h"
 
@@ -128,6 +129,8 @@ KeyInfo ScenarioKeys() {
   root.meaning = "a push-recovery scenario of Sidestep";
   const Scenario defaults;
   ScenarioBasics::VisitFields(defaults, KeyCollector(&root.children));
+  const BasedOn base;
+  BasedOn::VisitFields(base, KeyCollector(&root.children));
   Scenario::VisitSections(defaults, KeyCollector(&root.children));
   return root;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/scenario/read_scenario.h"
 
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -12,6 +10,7 @@
 #include "models/support/config_node.h"
 #include "models/support/nearest_name.h"
 #include "sim/scenario/apply_override.h"
+#include "sim/scenario/based_on.h"
 #include "sim/scenario/check_parts.h"
 #include "sim/scenario/check_scenario.h"
 #include "sim/scenario/find_scenario.h"
@@ -22,18 +21,11 @@
 namespace sidestep {
 namespace {
 
-constexpr std::int64_t kFormatVersion = 1;
-
-void RejectSweep(const ConfigTree& root) {
-  if (root.Find(kSweepKey) == nullptr) return;
-  FailAt(root.place, "is a sweep's file, no scenario's; sidestep sweep runs it");
-}
-
-void ReadVersion(ConfigMap& map) {
-  const ConfigNode version = map.Required("sidestep");
-  if (version.Integer(0, std::numeric_limits<std::int32_t>::max()) != kFormatVersion) {
-    version.Fail("= " + version.Text() + " is a format that this program can't read; it reads 1");
-  }
+// The file's own is gone by now.
+void RejectBaseOfOverride(const ConfigTree& root) {
+  const ConfigTree* base = root.Find(BasedOn::kKey);
+  if (base != nullptr)
+    FailAt(base->place, "based_on can't be overridden; write a file that has it");
 }
 
 // The mode that a scenario's control asks for. A mistake in it is told where the section is read.
@@ -63,8 +55,9 @@ void ReadRobotControl(const std::filesystem::path& robot_file,
 
 void ReadRobot(const ConfigNode& node, const std::optional<ConfigNode>& control,
                const NoteSink& note, const RobotReader& read_robot, Scenario* scenario) {
-  const bool is_from_file = node.tree().place.source->is_file;
-  const std::filesystem::path folder = is_from_file ? scenario->file.parent_path() : "";
+  const ConfigSource& source = *node.tree().place.source;
+  const std::filesystem::path folder =
+      source.is_file ? std::filesystem::path(source.name).parent_path() : "";
   const std::filesystem::path robot_file = FindRobot(scenario->robot_name, folder);
   if (robot_file.empty()) {
     node.Fail("= '" + scenario->robot_name + "' is neither a robot that ships nor a robot.yaml; " +
@@ -128,11 +121,12 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
   ConfigMap map(root, "");
   RenameOldKeys(&root, note);
   for (const std::string& assignment : overrides) ApplyOverride(assignment, &root, note);
+  RejectBaseOfOverride(root);
 
   Scenario scenario;
   scenario.file = file;
-  RejectSweep(root);
-  ReadVersion(map);
+  scenario.overrides = overrides;
+  CheckFormat(root, &map);
   Mistakes mistakes;
   ReadBasics(map, &scenario, &mistakes);
   const auto robot = map.Optional("robot");
@@ -154,7 +148,18 @@ Scenario ReadTree(ConfigTree root, const std::filesystem::path& file,
 
 Scenario ReadScenario(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                       const NoteSink& note, const RobotReader& read_robot) {
-  return ReadTree(ReadConfigFile(file), file, overrides, note, read_robot);
+  return ReadTree(ReadWithBases(file, note), file, overrides, note, read_robot);
+}
+
+ScenarioBasics ReadScenarioBasics(const std::filesystem::path& file) {
+  const ConfigTree root = ReadWithBases(file, {});
+  ConfigMap map(root, "");
+  CheckFormat(root, &map);
+  ScenarioBasics basics;
+  Mistakes mistakes;
+  ScenarioBasics::VisitFields(basics, PatientFieldReader(&map, &mistakes));
+  mistakes.Throw();
+  return basics;
 }
 
 Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string>& overrides,

@@ -18,9 +18,11 @@ using RobotReader = std::function<RobotDescription(const std::filesystem::path& 
 
 /// Reads a scenario of format version 1 and the robot that it names, and checks that they fit.
 ///
-/// @param file       The YAML file. A robot named by a path is relative to the file's folder;
-///                   by `--set robot=path`, to the current one.
-/// @param overrides  Assignments `a.b=c`, applied in order (see apply_override.h).
+/// @param file       The YAML file; it may be based on another (based_on.h). A robot named by a
+///                   path is relative to the folder of the file that names it; by
+///                   `--set robot=path`, to the current one.
+/// @param overrides  Assignments `a.b=c` and `--push TEXT`, applied in order (see
+///                   apply_override.h).
 /// @param note       Told of keys under an old name, in the file, an override or the robot.yaml's
 ///                   `control` block.
 /// @param read_robot Reads all of the robot but that block.
@@ -28,6 +30,10 @@ using RobotReader = std::function<RobotDescription(const std::filesystem::path& 
 Scenario ReadScenario(const std::filesystem::path& file,
                       const std::vector<std::string>& overrides = {}, const NoteSink& note = {},
                       const RobotReader& read_robot = ReadSoundRobot);
+
+/// What a scenario's file, or the one it is based on, says of itself; its robot is not read.
+/// @throws ConfigError with `file:line:column`.
+ScenarioBasics ReadScenarioBasics(const std::filesystem::path& file);
 
 /// A scenario of a robot alone, which has no file: two feet walk in place, one hops, in the gait's
 /// defaults; on the centroidal plant, if the robot has no model.

@@ -123,7 +123,8 @@ struct ScenarioBasics {
 /// one and checks that its parts fit each other; code that fills one by hand must see to that
 /// itself, for those who take a Scenario rely on it.
 struct Scenario : ScenarioBasics {
-  std::filesystem::path file;  ///< Where it was read from; not part of the resolved file.
+  std::filesystem::path file;            ///< Where it was read from; not part of the resolved file.
+  std::vector<std::string> overrides{};  ///< As ReadScenario() took them; likewise.
   RobotDescription robot;
   ControlParams control;
   std::vector<GaitParams> gait;  ///< In order of start_s; the first starts at 0.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "controller/types/field.h"
+#include "sim/scenario/based_on.h"
 #include "sim/scenario/key_table.h"
 #include "sim/verdict/metrics.h"
 
@@ -153,6 +154,19 @@ Json SchemaOf(const KeyInfo& key) {
   return schema;
 }
 
+/// A file that is based on another needs only what it never has from there.
+void LeaveToBase(Json* schema) {
+  Json by_itself{{"required", Json::array()}};
+  Json always = Json::array();
+  for (const Json& key : (*schema)["required"]) {
+    const bool is_own = key == "sidestep" || key == "name";
+    (is_own ? always : by_itself["required"]).push_back(key);
+  }
+  (*schema)["required"] = always;
+  const Json on_base{{"required", Json::array({BasedOn::kKey})}};
+  (*schema)["anyOf"] = Json::array({on_base, by_itself});
+}
+
 }  // namespace
 
 std::string ScenarioSchema() {
@@ -160,6 +174,7 @@ std::string ScenarioSchema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "Sidestep scenario"}};
   schema.update(SchemaOf(root));
+  LeaveToBase(&schema);
   return schema.dump(2) + "\n";
 }
 

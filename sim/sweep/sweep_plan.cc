@@ -11,6 +11,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
+#include "models/support/hash_text.h"
 #include "models/support/parse_number.h"
 #include "sim/record/output_file.h"
 #include "sim/scenario/read_scenario.h"
@@ -89,17 +90,6 @@ void CheckProgram(const std::filesystem::path& manifest, const std::string& firs
 }
 
 }  // namespace
-
-std::string HashText(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char letter : text) {
-    hash ^= static_cast<unsigned char>(letter);
-    hash *= 0x100000001b3U;
-  }
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
-}
 
 std::string ProgramHash() {
   static const std::string kHash = HashText(ReadTextFile("/proc/self/exe"));

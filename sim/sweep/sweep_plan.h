@@ -31,9 +31,6 @@ struct SweepPlan {
   std::vector<PlannedRay> rays;  ///< In order of their index.
 };
 
-/// 64 bits as 16 hexadecimal digits: FNV-1a (Fowler, Noll, Vo), with its 64-bit basis and prime.
-std::string HashText(const std::string& text);
-
 /// Tells this program from any other: a hash of its own file.
 std::string ProgramHash();
 

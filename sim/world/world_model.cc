@@ -240,6 +240,11 @@ std::string DrawnWorldMjcf(const RobotDescription& robot) {
   return WorldText(robot.name, inhabitant, params);
 }
 
+std::string SimulatedMjcf(const Scenario& scenario) {
+  const Inhabitant inhabitant = RobotIn(scenario.robot, ModelDetail::kSimulated);
+  return WorldText(scenario.robot.name, inhabitant, scenario.world) + inhabitant.robot_xml;
+}
+
 MjModelPtr CompileDrawnWorld(const Scenario& scenario) {
   const RobotDescription& robot = scenario.robot;
   return scenario.plant == Plant::kCentroidal

@@ -28,6 +28,10 @@ MjModelPtr CompileCentroidalStandIn(const RobotDescription& robot, const WorldPa
 /// Throws ConfigError and ContractViolation where its model is none.
 std::string DrawnWorldMjcf(const RobotDescription& robot);
 
+/// The text that MuJoCo compiles to simulate `scenario`: the world's MJCF, then the robot's that it
+/// includes. `world.friction` and `mass_scale` are set afterwards. Only of the plant mujoco.
+std::string SimulatedMjcf(const Scenario& scenario);
+
 /// What a recording of `scenario` is drawn with: the one or the other, by its plant.
 MjModelPtr CompileDrawnWorld(const Scenario& scenario);
 

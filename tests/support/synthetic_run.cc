@@ -163,6 +163,9 @@ RunSummary SummaryOf(const SyntheticRun& run) {
   summary.versions = {{"mujoco", "2.2.2"}, {"eigen", "3.4.0"}};
   summary.seed = 1;
   summary.command = {"sidestep", "run", "my toy.yaml", "--set", "pushes.0={a: b}"};
+  summary.overrides = {"--set pushes.0={a: b}"};
+  summary.scenario_hash = "0123456789abcdef";
+  summary.model_hash = "fedcba9876543210";
   summary.simulated_s = run.duration_s;
   summary.wall_s = 0.8;
   summary.real_time_factor = 0.6;

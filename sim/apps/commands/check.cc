@@ -101,9 +101,8 @@ CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) 
   };
   plan.arguments = {"--jobs", "1", "--plots", arguments.plots};
   if (!arguments.has_video) plan.arguments.push_back("--no-video");
-  for (const std::string& override : arguments.overrides) {
-    plan.arguments.insert(plan.arguments.end(), {"--set", override});
-  }
+  const std::vector<std::string> overrides = OverrideWords(arguments.overrides);
+  plan.arguments.insert(plan.arguments.end(), overrides.begin(), overrides.end());
   return plan;
 }
 
@@ -225,7 +224,7 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--video", arguments->has_video, "Also draw the videos");
   AddPlotsOption(*command, "Runs to plot: always, failed, never", arguments->plots);
   command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
-  AddSetOption(*command, arguments->overrides);
+  AddOverrideOptions(*command, arguments->overrides);
   command->callback([arguments, out, &exit_code] {
     arguments->has_out_dir = out->count() > 0;
     exit_code = Check(*arguments);

@@ -36,6 +36,9 @@ void AddReportCommand(CLI::App& app, int& exit_code);
 /// `film RUN_A RUN_B`: two runs side by side.
 void AddFilmCommand(CLI::App& app, int& exit_code);
 
+/// `scenarios`: lists the scenarios that ship.
+void AddScenariosCommand(CLI::App& app, int& exit_code);
+
 /// `robots [ROBOT]`: lists the robots that ship, or tells of one.
 void AddRobotsCommand(CLI::App& app, int& exit_code);
 
@@ -56,6 +59,12 @@ void AddSolveCommand(CLI::App& app, int& exit_code);
 /// Adds `--set a.b=c`, repeatable; each takes one value, so a path may follow.
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
 
+/// Adds --set and `--push TEXT`, repeatable; pushes stand before assignments, which may edit them.
+void AddOverrideOptions(CLI::App& command, std::vector<std::string>& overrides);
+
+/// The options' words again, for another process.
+std::vector<std::string> OverrideWords(const std::vector<std::string>& overrides);
+
 /// What an option that takes a time of a run (s) asks of it: a number, not negative.
 CLI::Validator TimeInRun();
 
@@ -64,6 +73,9 @@ void PrintNote(const std::string& note);
 
 /// Adds --plots always|failed|never, with `help`, and --no-plots; both go to `plots`.
 void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plots);
+
+/// The program's name, version and git commit, in one line.
+std::string VersionText();
 
 /// The words of this process's command line, for summary.json.
 std::vector<std::string> CommandWords();

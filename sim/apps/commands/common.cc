@@ -7,6 +7,8 @@
 #include <string>
 
 #include "sim/apps/commands/commands.h"
+#include "sim/record/git_commit.h"
+#include "sim/scenario/push_option.h"
 
 namespace sidestep {
 
@@ -17,6 +19,34 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
       ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
+}
+
+void AddOverrideOptions(CLI::App& command, std::vector<std::string>& overrides) {
+  AddSetOption(command, overrides);
+  // CLI11 hands over options in the order in which they were added: assignments are there by now.
+  const auto prepend = [&overrides](const std::vector<std::string>& texts) {
+    std::vector<std::string> pushes;
+    for (const std::string& text : texts) pushes.push_back(std::string(kPushOption) + text);
+    overrides.insert(overrides.begin(), pushes.begin(), pushes.end());
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--push", prepend,
+          "Add a push: 'r_hand 60N@90deg 9.5s+1s'; sizes in N, mg, Ns/kg, directions in deg, rad "
+          "from the heading, a start by phase: mid_swing:left>5s")
+      ->type_name("TEXT")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+std::vector<std::string> OverrideWords(const std::vector<std::string>& overrides) {
+  std::vector<std::string> words;
+  for (const std::string& text : overrides) {
+    const bool is_push = text.starts_with(kPushOption);
+    words.push_back(is_push ? "--push" : "--set");
+    words.push_back(is_push ? text.substr(kPushOption.size()) : text);
+  }
+  return words;
 }
 
 void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plots) {
@@ -39,6 +69,10 @@ CLI::Validator TimeInRun() {
 }
 
 void PrintNote(const std::string& note) { std::fprintf(stderr, "%s\n", note.c_str()); }
+
+std::string VersionText() {
+  return std::string("sidestep " SIDESTEP_VERSION " (git ") + GitCommit() + ")";
+}
 
 std::vector<std::string> CommandWords() {
   std::ifstream in("/proc/self/cmdline", std::ios::binary);

@@ -149,7 +149,7 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
-  AddSetOption(*command, arguments->overrides);
+  AddOverrideOptions(*command, arguments->overrides);
   command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
 }
 

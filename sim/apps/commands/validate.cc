@@ -8,6 +8,7 @@
 #include "sim/apps/commands/sweep_folder.h"
 #include "sim/check/find_scenarios.h"
 #include "sim/scenario/find_scenario.h"
+#include "sim/scenario/push_option.h"
 #include "sim/scenario/read_scenario.h"
 #include "sim/sweep/sweep_plan.h"
 
@@ -21,6 +22,9 @@ struct ValidateArguments {
 
 // Reads the sweep and the first cell of every ray.
 void ReadWholeSweep(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  if (!overrides.empty() && overrides.front().starts_with(kPushOption)) {
+    throw ConfigError(file.string() + ": error: is a sweep's file; --push goes with scenarios");
+  }
   SweepArguments arguments;
   arguments.target = file;
   arguments.sweep.set = overrides;
@@ -56,7 +60,7 @@ void AddValidateCommand(CLI::App& app, int& exit_code) {
                    "Files of scenarios or sweeps, or names of scenarios that ship; folders are "
                    "searched for *.yaml")
       ->required();
-  AddSetOption(*command, arguments->overrides);
+  AddOverrideOptions(*command, arguments->overrides);
   command->callback([arguments, &exit_code] { exit_code = Validate(*arguments); });
 }
 

@@ -182,5 +182,38 @@ TEST(MakeSummaryTest, TellsHowTheRunWasMade) {
   }
 }
 
+TEST(MakeSummaryTest, TellsWhatWasOverridden) {
+  Scenario scenario = TwoFeetScenario();
+  scenario.overrides = {"--push com 5N@0deg 1s+1s", "seed=3"};
+  EXPECT_EQ(MakeSummary(scenario, {}, {}).overrides,
+            (std::vector<std::string>{"--push com 5N@0deg 1s+1s", "--set seed=3"}));
+}
+
+TEST(MakeSummaryTest, HashesTellScenariosAndModelsApart) {
+  const RunSummary one = MakeSummary(TwoFeetScenario(), {}, {});
+  EXPECT_EQ(MakeSummary(TwoFeetScenario(), {}, {}).scenario_hash, one.scenario_hash);
+  EXPECT_EQ(one.model_hash, "") << "the centroidal plant has no MJCF";
+  Scenario other = TwoFeetScenario();
+  other.seed += 1;
+  EXPECT_NE(MakeSummary(other, {}, {}).scenario_hash, one.scenario_hash);
+
+  other.plant = Plant::kMujoco;
+  other.robot.model = RobotModel();
+  other.robot.model->simulated_mjcf = "<mujoco/>";
+  const std::string hash = MakeSummary(other, {}, {}).model_hash;
+  EXPECT_EQ(hash.size(), 16U);
+  other.robot.model->simulated_mjcf = "<mujoco />";
+  EXPECT_NE(MakeSummary(other, {}, {}).model_hash, hash) << "another robot";
+}
+
+TEST(MakeSummaryTest, TellsTheCommitThatItWasBuiltFrom) {
+  const std::string commit = Summary({}).at("versions").at("git_commit");
+  const bool is_dirty = commit.ends_with("-dirty");
+  const std::string digits = commit.substr(0, commit.size() - (is_dirty ? 6 : 0));
+  EXPECT_TRUE(commit == "unknown" ||
+              digits.find_first_not_of("0123456789abcdef") == std::string::npos)
+      << commit;
+}
+
 }  // namespace
 }  // namespace sidestep::make_summary_test

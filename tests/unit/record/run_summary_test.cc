@@ -235,6 +235,11 @@ constexpr const char* kPass = R"({
     "sidestep",
     "run"
   ],
+  "overrides": [
+    "--set seed=1"
+  ],
+  "scenario_hash": "0011223344556677",
+  "model_hash": "",
   "simulated_s": 2.0,
   "wall_s": 0.5,
   "cpu_s": 0.25,
@@ -254,6 +259,7 @@ TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   std::string old = Without(kPass, "  \"joints\"", "  \"solve_time_ms\"");
   old = Without(old, "  \"solve_cpu_ms\"", "  \"versions\"");
 
+  old = Without(old, "  \"overrides\"", "  \"simulated_s\"");
   old = Without(old, "  \"cpu_s\"", "  \"real_time_factor\"");
   old = Without(old, ",\n  \"cpu_real_time_factor\"", "\n}");
   old = Without(old, "    \"mean\"", "    \"p50\"");
@@ -271,6 +277,8 @@ TEST(RunSummaryTest, FilesOfThePastAreReadWithoutWhatTheyLack) {
   EXPECT_EQ(read.solve_time.p50_ms, 5.0);
   EXPECT_EQ(read.real_time_factor, 4.0);
   EXPECT_TRUE(std::isnan(read.cpu_s));
+  EXPECT_TRUE(read.overrides.empty());
+  EXPECT_EQ(read.scenario_hash, "");
 }
 
 TEST(RunSummaryTest, FilesOfTheFutureAreReadWithoutWhatIsUnknown) {

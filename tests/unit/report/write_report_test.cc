@@ -152,6 +152,12 @@ TEST(WriteReportTest, TheScenarioAndItsKeySettingsAreShown) {
   EXPECT_TRUE(Has(PageOfOne(), "<p>A toy is pushed to the left.</p>"));
 }
 
+TEST(WriteReportTest, OverridesAndHashesAreShown) {
+  EXPECT_TRUE(Has(PageOfOne(), "override</th><td>--set pushes.0={a: b}</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "hash of the scenario</th><td>0123456789abcdef</td>"));
+  EXPECT_TRUE(Has(PageOfOne(), "hash of the model</th><td>fedcba9876543210</td>"));
+}
+
 TEST(WriteReportTest, SeveralRunsAreComparedFirstThenShownEach) {
   const auto dir = FreshTestDir("report_two");
   WriteSyntheticRun(dir / "a", {.name = "weak", .push_force_N = 40.0});

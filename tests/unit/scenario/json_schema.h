@@ -106,6 +106,9 @@ class JsonSchema {
       is_good = !value.is_object() || std::all_of(rule.begin(), rule.end(), [&](const Json& key) {
         return value.contains(key.get<std::string>());
       });
+    } else if (word == "anyOf") {
+      is_good = std::any_of(rule.begin(), rule.end(),
+                            [&](const Json& each) { return Fault(each, value, path).empty(); });
     } else if (word == "oneOf") {
       is_good = std::count_if(rule.begin(), rule.end(), [&](const Json& each) {
                   return Fault(each, value, path).empty();
