@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <sstream>
 
 namespace sidestep::mpc {
 namespace {
@@ -79,11 +79,11 @@ bool IsInfeasible(const CentroidalOcp& ocp) {
 std::string Infeasibility(const CentroidalOcp& ocp) {
   if (!IsInfeasible(ocp)) return {};
   if (HasEmptyBox(ocp)) return "a foot's box has its lower bound above its upper one";
-  char text[96];
-  std::snprintf(text, sizeof text,
-                "no force keeps the friction rows: the best misses one by %.2g N",
-                LeastForceViolation(ocp.friction_A, ocp.friction_b, 0.0));
-  return text;
+  std::ostringstream text;
+  text.precision(2);
+  text << "no force keeps the friction rows: the best misses one by "
+       << LeastForceViolation(ocp.friction_A, ocp.friction_b, 0.0) << " N";
+  return text.str();
 }
 
 }  // namespace sidestep::mpc
