@@ -22,8 +22,9 @@ std::vector<Eigen::Vector3d> PlacesOf(const StateLog& log) {
   return p_W;
 }
 
-void DrawAt(const StateLog& log, const std::vector<Eigen::Vector3d>& p_WC, int frame) {
-  const std::size_t at = render::RowAt(log, render::FrameTime_s(frame, kFps));
+void DrawAt(const StateLog& log, const render::Clip& clip, const std::vector<Eigen::Vector3d>& p_WC,
+            int frame) {
+  const std::size_t at = render::RowAt(log, render::FrameTime_s(clip, frame, kFps));
   const StateRow& row = log.rows.at(at);
   const render::DrawScale scale = render::ScaleFor(log, 0.5);
   for (const VideoCamera camera : EnumValues<VideoCamera>()) {
@@ -51,9 +52,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   folder.Write("states.bin", fuzz::TextOf(data, size));
   StateLog log;
   if (!fuzz::IsRead([&] { log = ReadStates(folder.path()); })) return 0;
-  const int frames = render::FrameCount(log, fuzz::kFps);
+  const render::Clip clip = render::ClipOf(log, std::nullopt, std::nullopt, 1.0);
+  const int frames = render::FrameCount(clip, fuzz::kFps);
   fuzz::Require(frames > 0 && !render::SplitFrames(frames, 2).empty(), "no frame");
   const std::vector<Eigen::Vector3d> p_WC = fuzz::PlacesOf(log);
-  for (int i = 0; i < fuzz::kMostFrames && i < frames; ++i) fuzz::DrawAt(log, p_WC, i);
+  for (int i = 0; i < fuzz::kMostFrames && i < frames; ++i) fuzz::DrawAt(log, clip, p_WC, i);
   return 0;
 }
