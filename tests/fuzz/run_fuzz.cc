@@ -26,7 +26,9 @@ const std::vector<std::string>& NamesOfFiles() {
 void WriteScripts(const std::filesystem::path& run_dir) {
   const plot::PlotData data = plot::LoadPlotData(run_dir);
   for (const plot::PlotScript& script : plot::AllScripts()) {
-    const std::string text = plot::Preamble(script.name) + script.body(data);
+    const std::string body = script.body(data);
+    const std::string text =
+        plot::ScriptText(data.canvas, script.name, data.curves.Definitions(body), body);
     Require(text.find('`') == std::string::npos, "a backtick in " + script.name);
   }
 }
