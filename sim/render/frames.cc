@@ -17,7 +17,8 @@ Clip ClipOf(const StateLog& log, std::optional<double> from_s, std::optional<dou
   const double start_s = log.rows.front().time_s, end_s = start_s + log.duration_s();
   const double from = std::max(start_s, from_s.value_or(start_s));
   const double to = std::min(end_s, to_s.value_or(end_s));
-  if (from < to) return {from - start_s, to - from, speed};
+  const bool is_a_moment = from == to && !from_s && !to_s;  // a run of one row is one frame
+  if (from < to || is_a_moment) return {from - start_s, to - from, speed};
   std::ostringstream text;
   text << "sidestep: error: nothing from " << from_s.value_or(start_s) << " s to "
        << to_s.value_or(end_s) << " s: the run is from " << start_s << " s to " << end_s << " s";
