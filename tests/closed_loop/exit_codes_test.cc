@@ -160,7 +160,8 @@ TEST(StandardStreamTest, AFullDiskUnderStdoutIsToldAndTheVerdictStays) {
        std::string(SIDESTEP_BINARY) + " run " + folder.Write("s.yaml", kStanding).string() +
            " --no-video --no-plots -q -o " + out.string() + " >/dev/full"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "sidestep: error: standard output can't be written\n");
+  EXPECT_EQ(result.err,
+            "sidestep: error: standard output can't be written: No space left on device\n");
   EXPECT_EQ(SummaryOf(out)["verdict"], "PASS");
 }
 
@@ -310,6 +311,12 @@ TEST(CheckTest, TheWorstVerdictDecidesAndJunitTellsEach) {
   const std::string xml = TextOf(junit);
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\" errors=\"0\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("<failure message=\"FALL"), std::string::npos) << xml;
+  for (const char* option : {"--junit", "--json"}) {
+    const ProcessResult own =
+        Sidestep({"check", folder.path() / "suite", "-o", runs, "-q", "--force", option, falling});
+    EXPECT_EQ(own.exit_code, 2) << option << " would replace a scenario";
+    EXPECT_EQ(TextOf(falling), kFalling);
+  }
   fs::remove(falling);
   EXPECT_EQ(Sidestep({"check", folder.path() / "suite", "-o", runs, "-q"}).exit_code, 2)
       << "its folders are not empty";

@@ -80,7 +80,8 @@ TEST_F(SweepMishapsTest, StandardOutputThatIsFullIsTold) {
   ASSERT_EQ(Sidestep(WholeSweep()).exit_code, 0);
   const ProcessResult merge = Shell("$sidestep sweep merge \"$map\" >/dev/full");
   EXPECT_EQ(merge.exit_code, 2);
-  EXPECT_EQ(merge.err, "sidestep: error: standard output can't be written\n");
+  EXPECT_EQ(merge.err,
+            "sidestep: error: standard output can't be written: No space left on device\n");
 }
 
 TEST_F(SweepMishapsTest, NumbersThatAreNoneAreRefused) {

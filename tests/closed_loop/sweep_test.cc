@@ -257,8 +257,11 @@ TEST_F(SweepTest, OneLineTellsWhatIsWrong) {
   EXPECT_EQ(error({"sweep", sweep_, "-o", one_, "--seeds", "2", "-q"}),
             "one: error: holds another sweep (see its sweep.yaml); take another folder\n");
   EXPECT_EQ(error({"sweep", "hopper_push", "-o", other_, "--vary", "world.friction=0.1:1:1000",
-                   "--vary", "world.mass_scale=0.9:1.1:10000"}),
+                   "--vary", "world.mass_scale=0.9:1.1:1000", "--seeds", "10"}),
             "error: this sweep may have 1e+07 runs; --yes if that is meant\n");
+  EXPECT_EQ(error({"sweep", "hopper_push", "-o", other_, "--vary", "world.friction=0.1:1:1000",
+                   "--vary", "world.mass_scale=0.9:1.1:10000"}),
+            "vary: error: makes 1e+07 combinations with the controllers, more than 1e+06\n");
   EXPECT_EQ(error({"sweep", "hopper_push", "-o", other_, "--vary", "pushes.0.magnitude=1:2:3"}),
             "--vary pushes.0.magnitude=1:2:3: error: pushes.magnitude is not a known key; did you "
             "mean 'magnitude_N'?\n");

@@ -133,16 +133,17 @@ void CheckReportFiles(const CheckArguments& arguments, const std::vector<CheckIt
   namespace fs = std::filesystem;
   std::error_code ignored;
   const auto is_same = [&](const fs::path& a, const fs::path& b) {
+    if (a.empty() || b.empty()) return false;
     return fs::equivalent(a, b, ignored) ||
            fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
   };
   for (const fs::path& report : {arguments.junit, arguments.json}) {
     for (const CheckItem& item : items) {
-      if (report.empty() || !is_same(report, item.file)) continue;
+      if (!is_same(report, item.file)) continue;
       throw ConfigError(report.string() + ": error: is a scenario to check, and can't be a report");
     }
   }
-  if (!arguments.junit.empty() && is_same(arguments.junit, arguments.json)) {
+  if (is_same(arguments.junit, arguments.json)) {
     throw ConfigError(arguments.json.string() + ": error: is the JUnit report's file too");
   }
 }
