@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "models/import/plane_hull.h"
+#include "models/support/convex_hull.h"
 
 namespace sidestep::importer {
 namespace {

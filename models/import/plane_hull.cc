@@ -8,7 +8,6 @@ namespace sidestep::importer {
 namespace {
 
 constexpr int kPlaces = 60;
-constexpr double kPoint_m = 1e-9;  // no side is shorter
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -31,26 +30,6 @@ std::array<double, 2> Across(const std::vector<Eigen::Vector2d>& hull, double x)
 }
 
 }  // namespace
-
-std::vector<Eigen::Vector2d> ConvexHull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  std::vector<Eigen::Vector2d> hull;
-  for (int side = 0; side < 2; ++side) {  // Andrew's monotone chain: below, then above
-    const std::size_t first = hull.size();
-    for (const Eigen::Vector2d& point : points) {
-      while (hull.size() >= first + 2 && Cross(hull.back() - hull[hull.size() - 2],
-                                               point - hull.back()) <= kPoint_m * kPoint_m) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    if (!hull.empty()) hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 double Area(const std::vector<Eigen::Vector2d>& hull) {
   double twice = 0.0;

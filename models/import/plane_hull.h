@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// plane_hull: convex hulls in a plane and the largest rectangle in one.
+// plane_hull: the area of a convex polygon and the largest rectangle in it.
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace sidestep::importer {
-
-/// Corners of the convex hull, anticlockwise, without ones on its sides. Fewer than three where the
-/// points lie on a line.
-std::vector<Eigen::Vector2d> ConvexHull(std::vector<Eigen::Vector2d> points);
 
 /// Of a convex polygon, anticlockwise.
 double Area(const std::vector<Eigen::Vector2d>& hull);

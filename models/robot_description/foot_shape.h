@@ -21,10 +21,6 @@ struct FootShape {
 /// configuration.
 std::optional<FootShape> FootShapeOf(const mjModel& model, const mjData& data, int site);
 
-/// Corners of the convex hull of points, counter-clockwise; fewer than three where all lie on a
-/// line or are one.
-std::vector<Eigen::Vector2d> ConvexHull(std::vector<Eigen::Vector2d> points);
-
 /// How far `point` is from the hull's inside (m); 0 within it and on its border. The hull is not
 /// empty.
 double DistanceOutside(const std::vector<Eigen::Vector2d>& hull, const Eigen::Vector2d& point);

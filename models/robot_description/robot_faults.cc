@@ -12,6 +12,7 @@
 #include "models/robot_description/home_pose.h"
 #include "models/support/config_error.h"
 #include "models/support/config_node.h"
+#include "models/support/convex_hull.h"
 
 namespace sidestep {
 namespace {

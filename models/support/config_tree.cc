@@ -152,6 +152,10 @@ const ConfigTree* ConfigTree::Find(std::string_view key) const {
   return nullptr;
 }
 
+ConfigTree* ConfigTree::Find(std::string_view key) {
+  return const_cast<ConfigTree*>(std::as_const(*this).Find(key));  // it is ours to change
+}
+
 ConfigTree ParseConfig(const std::string& text, const ConfigSource& source) {
   const auto shared = std::make_shared<const ConfigSource>(source);
   if (const std::optional<TextFault> fault = FindTextFault(text)) {

@@ -52,6 +52,7 @@ struct ConfigTree {
 
   /// The value of `key`, or null if this is no map or has no such key.
   const ConfigTree* Find(std::string_view key) const;
+  ConfigTree* Find(std::string_view key);
 };
 
 /// Parses one YAML document. Throws ConfigError on syntax errors, duplicate or non-text keys, maps

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "sim/palette/palette.h"
+#include "sim/plot/draw_scripts.h"
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
 #include "sim/process/gnuplot.h"
@@ -189,19 +190,16 @@ void PlotOverlay(const fs::path& first, const fs::path& second, const fs::path& 
   for (const PlotData& run : overlay.runs) {
     WriteWholeFile(folder / run.curves.file(), run.curves.bytes());
   }
-  std::vector<std::string> files;
+  std::vector<std::string> names;
   for (const OverlayPlot& one : OverlayPlots()) {
     const std::string body = ScriptOf(one.name, overlay);
     const std::string definitions =
         overlay.runs[0].curves.Definitions(body) + overlay.runs[1].curves.Definitions(body);
-    files.push_back(one.name + ".gp");
-    WriteWholeFile(folder / files.back(),
+    names.push_back(one.name);
+    WriteWholeFile(folder / (one.name + ".gp"),
                    plot::ScriptText(overlay.axes.canvas, one.name, definitions, body));
   }
-  std::vector<std::string> words = files;
-  words.insert(words.end(), {"-e", "format='png'"});
-  words.insert(words.end(), files.begin(), files.end());
-  RunGnuplot(words, {}, folder);
+  plot::DrawScripts(names, {"svg", "png"}, folder);
 }
 
 }  // namespace sidestep

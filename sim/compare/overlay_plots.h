@@ -18,7 +18,7 @@ struct OverlayPlot {
 const std::vector<OverlayPlot>& OverlayPlots();
 
 /// Writes for each a script NAME.gp, NAME.svg and NAME.png into `folder`, which is made if need be,
-/// with the thinned data that they draw. Shaded are the pushes of both runs.
+/// with the curves that they draw. Shaded are the pushes of both runs.
 /// @throws ConfigError if a run's files are missing or broken, or gnuplot fails.
 void PlotOverlay(const std::filesystem::path& first, const std::filesystem::path& second,
                  const std::filesystem::path& folder);

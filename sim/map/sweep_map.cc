@@ -89,7 +89,7 @@ class MapBuilder {
  public:
   MapBuilder(const Columns& columns, SweepMap* map) : columns_(columns), map_(*map) {}
 
-  void Add(const std::vector<std::string>& row) {
+  void Add(const std::vector<std::string>& row, std::size_t ray) {
     const std::size_t panel = panels_.Place(PanelKeyOf(columns_, row), &map_.panel_keys);
     if (panel == map_.panels.size()) map_.panels.push_back(PanelOf(columns_, row));
     const std::size_t controller = controllers_.Place(row[2], &map_.controllers);
@@ -102,7 +102,7 @@ class MapBuilder {
       cell.direction = direction;
       if (!direction.empty()) cell.direction_rad = ParseNumber(direction);
     }
-    AddRun(row, &cell);
+    AddRun(row, ray, &cell);
   }
 
   void Finish() {
@@ -116,9 +116,8 @@ class MapBuilder {
   }
 
  private:
-  void AddRun(const std::vector<std::string>& row, MapCell* cell) const {
+  void AddRun(const std::vector<std::string>& row, std::size_t ray, MapCell* cell) const {
     const std::string* after = &row[columns_.first_after_axes];
-    const std::size_t ray = ParseAs<std::size_t>(row[0]).value_or(0);
     auto point = std::find_if(cell->points.begin(), cell->points.end(), [&](const MapPoint& known) {
       return known.ray == ray && known.strength == after[after_axes::kStrength];
     });
@@ -206,11 +205,12 @@ SweepMap ParseMap(std::string_view cells_csv, const std::string& name, const std
                         std::to_string(row.size()) + " columns, not " +
                         std::to_string(columns.names.size()));
     }
-    if (!ParseAs<std::size_t>(row[0])) {
+    const std::optional<std::size_t> ray = ParseAs<std::size_t>(row[0]);
+    if (!ray) {
       throw ConfigError(file + ":" + std::to_string(line) + ": error: ray '" + row[0] +
                         "' is no number of a ray");
     }
-    builder.Add(row);
+    builder.Add(row, *ray);
   }
   builder.Finish();
   return map;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/plot/canvas.h"
 
-#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <sstream>
 
 #include "models/support/config_error.h"
+#include "models/support/parse_number.h"
 
 namespace sidestep::plot {
 namespace {
@@ -19,8 +19,8 @@ constexpr double kPrintDpi = 300.0;
 constexpr double kUsualHeight = 0.7;  // of the width
 constexpr double kNarrowHeight =
     1.25;  // likewise: gnuplot drops legends that a panel is too low for
-constexpr double kSmallScreen_px = 700;  // narrower, words shrink with the picture
-constexpr double kSmallScreen_em = 50;
+constexpr double kSmallScreen_px = 700;         // narrower, words shrink with the picture
+constexpr double kSmallScreen_em = kNarrow_em;  // still no column
 constexpr double kSmallest_mm = 30.0, kLargest_mm = 1000.0;
 constexpr double kLineWidth = 1.3;  // of the terminal, at the usual font
 
@@ -28,6 +28,9 @@ constexpr double kLineWidth = 1.3;  // of the terminal, at the usual font
   throw ConfigError("sidestep: error: --size " + size + ": expected a size such as " + kSizeWords +
                     ", each side from 30 to 1000 mm");
 }
+
+// Of a text that is a number.
+double SideOf(const std::string& text) { return ParseAs<double>(text).value_or(0.0); }
 
 }  // namespace
 
@@ -38,12 +41,12 @@ Canvas ReadCanvas(const std::string& size) {
   const bool is_paper = match[3] == "mm";
   const double unit_px = is_paper ? kPixelsAnInch / kMillimetresAnInch : 1.0;
   Canvas canvas;
-  canvas.width_px = unit_px * std::stod(match[1]);
+  canvas.width_px = unit_px * SideOf(match[1]);
   canvas.font_px = is_paper ? kPaperFont_pt * kPixelsAnInch / kPointsAnInch
                    : canvas.width_px < kSmallScreen_px ? canvas.width_px / kSmallScreen_em
                                                        : canvas.font_px;
   canvas.height_px = match[2].matched
-                         ? unit_px * std::stod(match[2])
+                         ? unit_px * SideOf(match[2])
                          : canvas.width_px * (canvas.is_narrow() ? kNarrowHeight : kUsualHeight);
   for (const double side_px : {canvas.width_px, canvas.height_px}) {
     const double side_mm = side_px * kMillimetresAnInch / kPixelsAnInch;

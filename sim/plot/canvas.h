@@ -9,6 +9,9 @@
 
 namespace sidestep::plot {
 
+/// Ems across, below which there is room for less: a paper's column has 36.
+inline constexpr double kNarrow_em = 50.0;
+
 /// A plot's size. Pixels are those of CSS and SVG, 96 an inch.
 struct Canvas {
   double width_px{1000.0};
@@ -21,8 +24,8 @@ struct Canvas {
   double width_em() const { return width_px / font_px; }
   double height_em() const { return height_px / font_px; }
 
-  /// A paper's column: room for less.
-  bool is_narrow() const { return width_em() < 50.0; }
+  /// Narrower than that by more than rounding, for small screens have just as many ems.
+  bool is_narrow() const { return width_em() < kNarrow_em - 1e-6; }
 };
 
 /// What --size takes.

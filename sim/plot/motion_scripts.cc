@@ -44,7 +44,7 @@ std::string ThreeAxes(const PlotData& data, const std::string& stem, const std::
 std::string TimeAxis(const PlotData& data) {
   Span span;
   for (const char* curve : {"solve_wall_ms", "solve_cpu_ms"}) {
-    if (data.has_curve(curve)) span.Include(data.curves.YOf(curve));
+    if (data.curves.Has(curve)) span.Include(data.curves.YOf(curve));
   }
   if (data.deadline_ms > 0.0) span.Include(data.deadline_ms);
   if (span.is_empty()) span = {0.1, 100.0};
@@ -57,7 +57,7 @@ std::string TimeAxis(const PlotData& data) {
 
 std::string SolvePoints(const PlotData& data, const char* curve, int point_type,
                         const std::string& color, const char* title) {
-  if (!data.has_curve(curve)) return "";
+  if (!data.curves.Has(curve)) return "";
   return ", \\\n  " + data.curves.Macro(curve) + " with points pointtype " +
          std::to_string(point_type) + " pointsize 0.45 linecolor rgb \"" + color + "\" title '" +
          title + "'";
@@ -97,7 +97,7 @@ std::string MomentumScript(const PlotData& data) {
 std::string SolveScript(const PlotData& data) {
   std::ostringstream script;
   const double right = 1.0 - MarginsOf(data.canvas).left / data.canvas.width_em();
-  const bool has_iterations = data.has_curve("solve_iterations");
+  const bool has_iterations = data.curves.Has("solve_iterations");
   const double most = has_iterations ? data.curves.YOf("solve_iterations").max : 1.0;
   script << StartPanels(data, "MPC solves", 1, 1) << "set rmargin at screen " << right
          << "\nset xlabel 'time (s)'\nset ylabel 'solve time (ms)'\nset y2label 'iterations'\n"

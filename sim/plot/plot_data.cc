@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "models/support/config_error.h"
+#include "models/support/convex_hull.h"
 #include "sim/plot/plot_curves.h"
-#include "sim/plot/sole_outline.h"
 #include "sim/scenario/read_scenario.h"
 
 namespace sidestep::plot {

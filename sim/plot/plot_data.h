@@ -88,8 +88,6 @@ struct PlotData {
   /// `reference_path` from above; `<value>_before`, `_pushed` and `_after` of each of `phases`,
   /// against its rate; `solve_wall_ms`, `solve_cpu_ms` and `solve_iterations`.
   CurveFile curves;
-
-  bool has_curve(const std::string& name) const { return curves.Has(name); }
 };
 
 /// The data of a stretch of a run, or of all of it.

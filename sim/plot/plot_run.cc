@@ -5,9 +5,9 @@
 
 #include "models/support/config_error.h"
 #include "models/support/nearest_name.h"
+#include "sim/plot/draw_scripts.h"
 #include "sim/plot/plot_data.h"
 #include "sim/plot/plot_script.h"
-#include "sim/process/gnuplot.h"
 #include "sim/record/output_file.h"
 #include "sim/record/run_files.h"
 
@@ -21,34 +21,6 @@ struct PlottedView {
   std::optional<plot::Stretch> stretch;
   std::string suffix;
   std::string title;  // after the run's
-};
-
-constexpr char kUnfinished[] = ".part";
-
-/// Pictures while gnuplot draws them: they take their names when all are whole, or go.
-class UnfinishedPictures {
- public:
-  explicit UnfinishedPictures(const std::vector<fs::path>& pictures) : pictures_(pictures) {}
-  UnfinishedPictures(const UnfinishedPictures&) = delete;
-  UnfinishedPictures& operator=(const UnfinishedPictures&) = delete;
-  ~UnfinishedPictures() {
-    std::error_code ignored;
-    for (const fs::path& picture : pictures_) fs::remove(PartOf(picture), ignored);
-  }
-
-  void Finish() const {
-    std::error_code failure;
-    for (const fs::path& picture : pictures_) {
-      fs::rename(PartOf(picture), picture, failure);
-      if (!failure) continue;
-      throw ConfigError(picture.string() + ": error: can't be written: " + failure.message());
-    }
-  }
-
- private:
-  static fs::path PartOf(const fs::path& picture) { return picture.string() + kUnfinished; }
-
-  const std::vector<fs::path>& pictures_;
 };
 
 void CheckNames(const std::vector<std::string>& names) {
@@ -76,7 +48,8 @@ std::vector<PlottedView> ViewsOf(const plot::PlottedRun& run, const fs::path& ru
         {plot::Stretch{push.start_s - *around_s, push.start_s + push.duration_s + *around_s},
          "_push" + number, ", push " + number});
   }
-  if (views.empty()) throw ConfigError(run_dir.string() + ": error: --around: the run has no push");
+  if (views.empty())
+    throw ConfigError(run_dir.string() + ": error: --around: the run has no push before its end");
   return views;
 }
 
@@ -129,25 +102,12 @@ std::vector<fs::path> PlotRun(const fs::path& run_dir, const PlotOptions& option
   std::error_code failure;
   fs::create_directories(dir, failure);
   if (failure) throw ConfigError(dir.string() + ": error: can't be created: " + failure.message());
-  std::vector<std::string> names;
-  for (const PlottedView& view : views) {
-    const std::vector<std::string> more = WriteScripts(run, view, options, run_dir);
-    names.insert(names.end(), more.begin(), more.end());
-  }
-  // One gnuplot draws all: a start of its costs as much as a plot.
-  std::vector<std::string> words;
   std::vector<fs::path> pictures;
-  for (const std::string& format : options.formats) {
-    words.insert(words.end(), {"-e", "format='" + format + "'"});
-    for (const std::string& name : names) {
-      words.push_back(name + ".gp");
-      pictures.push_back(dir / (name + "." + format));
-    }
+  for (const PlottedView& view : views) {
+    const std::vector<fs::path> more =
+        plot::DrawScripts(WriteScripts(run, view, options, run_dir), options.formats, dir);
+    pictures.insert(pictures.end(), more.begin(), more.end());
   }
-  words.insert(words.begin(), {"-e", std::string("ending='") + kUnfinished + "'"});
-  const UnfinishedPictures unfinished(pictures);
-  RunGnuplot(words, {}, dir);
-  unfinished.Finish();
   return pictures;
 }
 

@@ -86,7 +86,10 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view text) {
     FailToWrite(file);
   }
   std::filesystem::rename(part, file, error);
-  if (error) throw ConfigError(file.string() + ": error: can't be written: " + error.message());
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw ConfigError(file.string() + ": error: can't be written: " + error.message());
 }
 
 void CopyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -63,6 +63,12 @@ void ListRunFiles(const fs::path& run_dir, const std::vector<std::string>& names
   if (!out) FailToWrite(file);
 }
 
+void ListIfInRun(const fs::path& run_dir, const fs::path& file) {
+  std::error_code ignored;  // a folder that is not there is none
+  if (!fs::equivalent(fs::absolute(file).parent_path(), run_dir, ignored)) return;
+  ListRunFiles(run_dir, {file.filename().string()});
+}
+
 void RemoveListedRunFiles(const fs::path& run_dir) {
   std::error_code ignored;
   std::set<fs::path> folders;

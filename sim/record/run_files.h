@@ -19,6 +19,10 @@ inline constexpr const char* kRunFilesName = "run_files.txt";
 /// @throws ConfigError if the list can't be written.
 void ListRunFiles(const std::filesystem::path& run_dir, const std::vector<std::string>& names);
 
+/// Lists `file` if it lies in `run_dir` itself, however either is spelled. Throws as
+/// ListRunFiles().
+void ListIfInRun(const std::filesystem::path& run_dir, const std::filesystem::path& file);
+
 /// What the list of `run_dir` names; empty if there is none. A name that could lead out of the
 /// folder (absolute, `..`) is left out: the list may be anybody's.
 std::vector<std::string> ListedRunFiles(const std::filesystem::path& run_dir);

@@ -147,8 +147,9 @@ std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir) {
       return Eigen::Vector3d(xyz[0][i], xyz[1][i], xyz[2][i]);
     };
     step.foot = table.Text(i, "foot");
+    // -1 of a step that the gait does not have; so too of what is no number of one.
     const bool is_count = index[i] >= 0.0 && index[i] <= std::numeric_limits<int>::max();
-    step.index = is_count ? static_cast<int>(index[i]) : 0;
+    step.index = is_count ? static_cast<int>(index[i]) : -1;
     step.start_s = start_s[i];
     step.end_s = end_s[i];
     step.slip_m = slip_m[i];

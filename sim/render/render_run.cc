@@ -42,7 +42,7 @@ void RenderRun(const std::filesystem::path& run_dir, const RenderOptions& option
 void RenderClip(const std::filesystem::path& run_dir, const RenderOptions& options,
                 const std::filesystem::path& film) {
   const LoadedRun run = Load(run_dir);
-  if (film.parent_path() == run_dir) ListRunFiles(run_dir, {film.filename().string()});
+  ListIfInRun(run_dir, film);
   render::RenderVideo(run.recording, run.model.get(), options, film);
 }
 

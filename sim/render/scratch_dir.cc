@@ -16,6 +16,7 @@ namespace sidestep::render {
 namespace {
 
 constexpr std::string_view kPrefix = ".render.";
+constexpr int kMostAttempts = 5;
 
 // A descriptor that holds the folder's lock, or -1 if another holds it or the folder is not there.
 int Lock(const std::filesystem::path& folder) {
@@ -46,12 +47,19 @@ ScratchDir::ScratchDir(const std::filesystem::path& file)
     : path_(std::filesystem::absolute(file).parent_path() /
             (std::string(kPrefix) + std::to_string(getpid()))) {
   RemoveAbandoned(path_.parent_path());
-  std::error_code failure;
-  std::filesystem::create_directories(path_, failure);
-  if (failure) {
-    throw ConfigError(path_.string() + ": error: can't be created: " + failure.message());
+  // Another process may take the folder for abandoned before it is locked: then once more. Where
+  // nothing can be locked, it stays unlocked.
+  bool is_there = false;
+  for (int attempt = 0; attempt < kMostAttempts && !is_there; ++attempt) {
+    std::error_code failure;
+    std::filesystem::create_directories(path_, failure);
+    if (failure) {
+      throw ConfigError(path_.string() + ": error: can't be created: " + failure.message());
+    }
+    if (lock_ >= 0) close(lock_);
+    lock_ = Lock(path_);
+    is_there = std::filesystem::exists(path_, failure);
   }
-  lock_ = Lock(path_);
 }
 
 ScratchDir::~ScratchDir() {

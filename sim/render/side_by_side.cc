@@ -52,7 +52,7 @@ void RenderSideBySide(const std::array<std::filesystem::path, 2>& run_dirs,
                options.from_s.value_or(0.0), options.speed};
     RenderClip(run_dirs[i], half, runs[i].video);
   }
-  if (film.parent_path() == run_dirs[0]) ListRunFiles(run_dirs[0], {film.filename().string()});
+  ListIfInRun(run_dirs[0], film);
   WriteFilm(runs, scratch.path() / "both.mp4");
   const bool is_gif = film.extension() == ".gif";
   if (is_gif) {

@@ -2,8 +2,6 @@
 #include "sim/render/video_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <string>
 
 #include "models/support/config_error.h"
@@ -56,14 +54,11 @@ void VideoWriter::Finish() {
 void JoinVideos(const std::vector<std::filesystem::path>& parts,
                 const std::filesystem::path& scratch_dir, const std::filesystem::path& mp4) {
   const std::filesystem::path list = scratch_dir / "parts.txt";
-  errno = 0;
-  std::ofstream out(list);
-  // Names relative to the list, and of our making: nothing to quote.
+  std::string text;  // Names relative to the list, and of our making: nothing to quote.
   for (const std::filesystem::path& part : parts) {
-    out << "file '" << part.filename().string() << "'\n";
+    text += "file '" + part.filename().string() + "'\n";
   }
-  out.close();
-  if (!out) FailToWrite(list);
+  WriteWholeFile(list, text);
   RunTool({"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "concat",
            "-safe", "0", "-i", FileOperand(list), "-c", "copy", "-movflags", "+faststart", "-f",
            "mp4", FileOperand(mp4)});

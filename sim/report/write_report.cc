@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/report/write_report.h"
 
-#include <fstream>
 #include <string>
 
 #include "models/support/config_error.h"
@@ -37,9 +36,7 @@ void WriteReport(const std::vector<std::filesystem::path>& run_dirs,
   for (std::size_t i = 0; i < runs.size(); ++i) page += report::RunSection(runs[i], i);
   page += "</main>\n</body>\n</html>\n";
 
-  if (out_html.parent_path() == run_dirs.front()) {
-    ListRunFiles(run_dirs.front(), {out_html.filename().string()});
-  }
+  ListIfInRun(run_dirs.front(), out_html);
   WriteWholeFile(out_html, page);
 }
 

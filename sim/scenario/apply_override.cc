@@ -43,10 +43,7 @@ ConfigTree* Element(ConfigTree* list, const std::string& part, const std::string
 
 /// The value of `key`, added as an empty one if the map lacks it.
 ConfigTree* Value(ConfigTree* map, const std::string& key, const ConfigPlace& place) {
-  const auto found = std::find_if(map->keys.begin(), map->keys.end(),
-                                  [&](const ConfigKey& known) { return known.text == key; });
-  if (found != map->keys.end())
-    return &map->children[static_cast<std::size_t>(found - map->keys.begin())];
+  if (ConfigTree* value = map->Find(key)) return value;
   map->keys.push_back({key, place});
   map->children.emplace_back();
   map->children.back().place = place;

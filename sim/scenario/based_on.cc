@@ -33,10 +33,6 @@ fs::path FindBase(const ConfigNode& node, const fs::path& file) {
             DidYouMean(word, ShippedScenarios(), "scenarios that ship"));
 }
 
-ConfigTree* ValueIn(ConfigTree* map, const std::string& key) {
-  return const_cast<ConfigTree*>(std::as_const(*map).Find(key));
-}
-
 void RemoveKey(const std::string& key, ConfigTree* map) {
   const auto found = std::find_if(map->keys.begin(), map->keys.end(),
                                   [&](const ConfigKey& known) { return known.text == key; });
@@ -52,7 +48,7 @@ void MergeOver(ConfigTree own, ConfigTree* base) {
   }
   base->place = own.place;
   for (std::size_t i = 0; i < own.keys.size(); ++i) {
-    if (ConfigTree* value = ValueIn(base, own.keys[i].text)) {
+    if (ConfigTree* value = base->Find(own.keys[i].text)) {
       base->keys[static_cast<std::size_t>(value - base->children.data())] = own.keys[i];
       MergeOver(std::move(own.children[i]), value);
     } else {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/scenario/push_option.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <regex>
 
 #include "models/support/config_node.h"
+#include "models/support/parse_number.h"
 
 namespace sidestep {
 namespace {
@@ -31,10 +31,9 @@ void AddScalar(const char* key, const std::string& text, ConfigTree* map) {
 
 std::string Radians(const std::string& number, const std::string& unit, const ConfigPlace& place) {
   if (unit == "rad") return number;
-  double angle_deg = 0.0;
-  const char* const end = number.data() + number.size();
-  if (std::from_chars(number.data(), end, angle_deg).ptr != end) FailAt(place, kForm);
-  return NumberText(angle_deg * std::numbers::pi / 180.0);
+  const std::optional<double> angle_deg = ParseAs<double>(number);
+  if (!angle_deg) FailAt(place, kForm);
+  return NumberText(*angle_deg * std::numbers::pi / 180.0);
 }
 
 const char* SizeKey(const std::string& unit) {
@@ -68,9 +67,8 @@ void AddPush(const std::string& text, ConfigTree* root) {
   const ConfigSource source{"--push '" + text + "'", false};
   const ConfigPlace place{std::make_shared<const ConfigSource>(source), 1, 1};
   ConfigTree push = PushOf(text, place);
-  const auto key = std::find_if(root->keys.begin(), root->keys.end(),
-                                [](const ConfigKey& known) { return known.text == "pushes"; });
-  if (key == root->keys.end()) {
+  ConfigTree* pushes = root->Find("pushes");
+  if (pushes == nullptr) {
     ConfigTree list;
     list.kind = ConfigKind::kList;
     list.place = place;
@@ -79,9 +77,8 @@ void AddPush(const std::string& text, ConfigTree* root) {
     root->children.push_back(std::move(list));
     return;
   }
-  ConfigTree& list = root->children[static_cast<std::size_t>(key - root->keys.begin())];
-  if (list.kind != ConfigKind::kList) FailAt(list.place, "pushes must be a list");
-  list.children.push_back(std::move(push));
+  if (pushes->kind != ConfigKind::kList) FailAt(pushes->place, "pushes must be a list");
+  pushes->children.push_back(std::move(push));
 }
 
 }  // namespace sidestep

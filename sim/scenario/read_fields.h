@@ -22,6 +22,16 @@ namespace sidestep {
 template <typename T>
 void ReadFields(const ConfigNode& node, T& value);
 
+/// Does `read` with every element of a list; what is wrong with them is told together.
+template <typename Read>
+void ForEachElement(const ConfigNode& list, const Read& read) {
+  Mistakes mistakes;
+  for (const ConfigNode& element : list.List()) {
+    mistakes.Try([&] { read(element); });
+  }
+  mistakes.Throw();
+}
+
 /// The value of an enum by its name in EnumNames. Throws ConfigError listing them otherwise.
 template <typename Enum>
 Enum ReadEnum(const ConfigNode& node) {
@@ -109,11 +119,8 @@ class FieldReader {
     const std::optional<ConfigNode> node = Find(key, meaning);
     if (!node) return;
     field.clear();
-    Mistakes mistakes;
-    for (const ConfigNode& element : node->List()) {
-      mistakes.Try([&] { ReadFields(element, field.emplace_back()); });
-    }
-    mistakes.Throw();
+    ForEachElement(*node,
+                   [&](const ConfigNode& element) { ReadFields(element, field.emplace_back()); });
   }
 
   /// Truth values, texts, enums by name; anything else is a struct with fields of its own and is

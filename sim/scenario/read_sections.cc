@@ -126,22 +126,15 @@ std::vector<GaitParams> ReadGaits(const std::optional<ConfigNode>& node,
   if (node->tree().kind == ConfigKind::kMap) return {ReadGait(*node, defaults)};
   if (node->tree().kind != ConfigKind::kList) node->Fail("must be a map of keys or a list of them");
   std::vector<GaitParams> gaits;
-  Mistakes mistakes;
-  for (const ConfigNode& element : node->List()) {
-    mistakes.Try([&] { gaits.push_back(ReadGait(element, defaults)); });
-  }
-  mistakes.Throw();
+  ForEachElement(*node,
+                 [&](const ConfigNode& element) { gaits.push_back(ReadGait(element, defaults)); });
   if (gaits.empty()) node->Fail("must hold at least one gait");
   return gaits;
 }
 
 std::vector<PushEntry> ReadPushes(const ConfigNode& node) {
   std::vector<PushEntry> pushes;
-  Mistakes mistakes;
-  for (const ConfigNode& element : node.List()) {
-    mistakes.Try([&] { pushes.push_back(ReadPush(element)); });
-  }
-  mistakes.Throw();
+  ForEachElement(node, [&](const ConfigNode& element) { pushes.push_back(ReadPush(element)); });
   return pushes;
 }
 

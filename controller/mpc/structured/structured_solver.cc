@@ -130,10 +130,12 @@ void StructuredSolver::Optimise(const CentroidalOcp& ocp, const MpcSolution* gue
     const double scale = kLargestSlope / std::max(kLargestSlope, summary.first_slope);
     problem_.ScaleCost(scale);
     Resume(ocp, patient, &summary);
-    problem_.ScaleCost(1.0 / scale);
     summary.cost /= scale;
   }
-  if (IsOpen(summary)) Resume(ocp, SettingsOf(options_.max_iterations), &summary);
+  if (IsOpen(summary)) {
+    problem_.Build(ocp);  // with its own cost again
+    Resume(ocp, SettingsOf(options_.max_iterations), &summary);
+  }
   Report(ocp, summary);
 }
 

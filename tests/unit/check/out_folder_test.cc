@@ -81,6 +81,21 @@ TEST(OutFolderTest, NothingIsRemovedThroughALinkNorOutsideTheFolder) {
   EXPECT_FALSE(fs::exists(scratch.path() / "summary.json"));
 }
 
+TEST(OutFolderTest, AFileInTheFolderIsListedHoweverEitherIsSpelled) {
+  const ScratchFolder scratch;
+  scratch.Write("run/sub/other.mp4", "");
+  const fs::path run = scratch.path() / "run";
+  for (const fs::path& spelled : {run, run / "", run / "sub/..", fs::relative(run)}) {
+    ListIfInRun(spelled, run / "video.mp4");
+    EXPECT_EQ(ListedRunFiles(run), std::vector<std::string>{"video.mp4"}) << spelled;
+    RemoveListedRunFiles(run);
+  }
+  for (const char* elsewhere : {"run/sub/other.mp4", "video.mp4", "none/video.mp4"}) {
+    ListIfInRun(run, scratch.path() / elsewhere);
+    EXPECT_TRUE(ListedRunFiles(run).empty()) << elsewhere;
+  }
+}
+
 TEST(OutFolderTest, TwoRunsAtOnceAreOneAndAnError) {
   const ScratchFolder scratch;
   const OutFolderLock first = PrepareOutFolder(scratch.path(), false);

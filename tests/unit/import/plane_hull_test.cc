@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/support/convex_hull.h"
+
 namespace sidestep::importer {
 namespace {
 

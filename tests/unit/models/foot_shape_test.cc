@@ -11,16 +11,6 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-TEST(ConvexHullTest, KeepsCornersCounterClockwiseAndDropsTheRest) {
-  const Points hull = ConvexHull({{0, 0}, {2, 0}, {1, 0}, {2, 1}, {0, 1}, {1, 0.5}, {2, 1}});
-  EXPECT_EQ(hull, (Points{{0, 0}, {2, 0}, {2, 1}, {0, 1}}));
-}
-
-TEST(ConvexHullTest, OfALineTheEndsAndOfAPointItself) {
-  EXPECT_EQ(ConvexHull({{1, 1}, {0, 0}, {2, 2}}), (Points{{0, 0}, {2, 2}}));
-  EXPECT_EQ(ConvexHull({{1, 1}, {1, 1}}), (Points{{1, 1}}));
-}
-
 TEST(DistanceOutsideTest, IsToTheNearestSideOrCorner) {
   const Points hull{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
   EXPECT_EQ(DistanceOutside(hull, {1, 0.5}), 0.0);

@@ -37,6 +37,14 @@ TEST(CanvasTest, SmallScreensHaveSmallWords) {
   EXPECT_DOUBLE_EQ(ReadCanvas("400x300px").font_px, 8.0);
 }
 
+TEST(CanvasTest, NoWidthOfAScreenIsAColumnByRounding) {
+  for (int width_px = 163; width_px <= 1000; ++width_px) {  // 30 mm high and more
+    const Canvas canvas = ReadCanvas(std::to_string(width_px) + "px");
+    EXPECT_FALSE(canvas.is_narrow()) << width_px;
+    EXPECT_NEAR(canvas.height_px, 0.7 * width_px, 1e-9);
+  }
+}
+
 TEST(CanvasTest, WhatIsNoSizeIsToldInALine) {
   for (const char* size : {"", "88", "mm", "88 mm", "88cm", "x60mm", "88xmm", "-88mm", "8e1mm",
                            "nanmm", "29mm", "1001mm", "88x5mm", "1e9px", "88mmx60mm", "999999px"}) {

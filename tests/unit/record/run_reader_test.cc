@@ -161,13 +161,13 @@ TEST(RunReaderTest, FootstepsKeepTheirOrderAndAnUnlandedOneHasNoPlace) {
   EXPECT_TRUE(steps[3].box_upper_m.isApprox(Eigen::Vector2d(0.05, 0.07)));
 }
 
-TEST(RunReaderTest, AFootstepsNumberThatIsNoneIsZero) {
+TEST(RunReaderTest, AStepThatTheGaitDoesNotHaveAndANumberOfNoneAreMinusOne) {
   const auto dir = FreshTestDir("numbers");
   WriteSyntheticRun(dir, {.duration_s = 1.0});
-  for (const char* index : {"1e18", "-1e18", "nan", "-3", ""}) {
+  for (const char* index : {"-1", "1e18", "-1e18", "nan", "-3", ""}) {
     std::ofstream(dir / "footsteps.csv", std::ios::app)
         << "left," << index << ",1.0,1.5,0.1,0.08,0,0.1,0.09,0,,,,0,-0.05,-0.03,0.05,0.07,0.2\n";
-    EXPECT_EQ(ReadFootsteps(dir).back().index, 0) << index;
+    EXPECT_EQ(ReadFootsteps(dir).back().index, -1) << index;
   }
 }
 
