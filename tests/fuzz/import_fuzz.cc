@@ -35,8 +35,7 @@ void Read(const std::filesystem::path& urdf) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder;
-  const std::filesystem::path urdf = folder.Write("maker.urdf", fuzz::TextOf(data, size));
+  const std::filesystem::path urdf = fuzz::WriteInput("maker.urdf", data, size);
   fuzz::IsRead([&] { importer::Read(urdf); });
   return 0;
 }
