@@ -57,10 +57,6 @@ nlohmann::json SummaryOf(const fs::path& run_dir) {
   return nlohmann::json::parse(TextOf(run_dir / "summary.json"));
 }
 
-void ExpectOneLine(const std::string& err) {
-  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
-}
-
 TEST(ExitCodeTest, APassIsZero) {
   const ScratchFolder folder;
   const ProcessResult result = RunOf(folder.Write("s.yaml", kStanding), folder.path() / "out");
@@ -106,10 +102,7 @@ TEST(ExitCodeTest, MistakesOfTheUserAreTwoAndOneLineOnStderr) {
            {"film", folder.path(), folder.path(), "-o", out},
            {"solve", good},
            {"robots", "no_such_robot"}}) {
-    const ProcessResult result = Sidestep(arguments);
-    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments) << result.err;
-    ExpectOneLine(result.err);
-    EXPECT_EQ(result.out, "") << testing::PrintToString(arguments);
+    ExpectMistake(arguments);
   }
   EXPECT_FALSE(fs::exists(out)) << "a run that never began left a folder";
 }
@@ -274,7 +267,7 @@ TEST(DrawingTest, AFaultOfDrawingWarnsAndTheVerdictStands) {
   EXPECT_NE(run.err.find("no plots: gnuplot failed with exit code 3: out of ink"),
             std::string::npos)
       << run.err;
-  ExpectOneLine(run.err);
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   EXPECT_TRUE(fs::exists(fs::path(out) / "report.html")) << "with what there is";
 }
 
@@ -357,9 +350,7 @@ TEST(CheckTest, OneBadScenarioStopsTheWholeCheckBeforeAnyRun) {
   folder.Write("suite/a.yaml", kStanding);
   folder.Write("suite/b.yaml", std::string(kStanding) + "wrold: {}\n");
   const fs::path runs = folder.path() / "runs";
-  const ProcessResult result = Sidestep({"check", folder.path() / "suite", "-o", runs});
-  EXPECT_EQ(result.exit_code, 2);
-  ExpectOneLine(result.err);
+  ExpectMistake({"check", folder.path() / "suite", "-o", runs});
   EXPECT_FALSE(fs::exists(runs));
 }
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -21,10 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStanding =
     "sidestep: 1\nname: standing\nrobot: hopper\nduration_s: 0.3\nexpect: {fall: false}\n";
-
-void ExpectOneLine(const std::string& err) {
-  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
-}
 
 // A short run with a small video, or with none.
 void RunInto(const TempFolder& folder, const fs::path& out, const std::string& video) {
@@ -73,10 +68,7 @@ TEST(FilmCommandTest, MistakesAreTwoAndOneLineAndLeaveNothing) {
            {run, run, "--strip", film, "--times", "0,1,2,3,4,5,6,7,8,9,10,11,12"}}) {
     std::vector<std::string> words{"film"};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const ProcessResult result = Sidestep(words);
-    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(words) << result.err;
-    ExpectOneLine(result.err);
-    EXPECT_EQ(result.out, "");
+    ExpectMistake(words);
   }
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2) << "s.yaml and run";
   folder.Write("run/video.mp4", "mine");
@@ -140,10 +132,7 @@ TEST(RenderCommandTest, MistakesAreTwoAndOneLineThatTellsWhatWasExpected) {
   for (const auto& [arguments, expected] : mistakes) {
     std::vector<std::string> words{"render"};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const ProcessResult result = Sidestep(words);
-    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(words);
-    ExpectOneLine(result.err);
-    EXPECT_NE(result.err.find(expected), std::string::npos) << result.err;
+    ExpectMistake(words, expected);
   }
   EXPECT_FALSE(fs::exists(run / "clip.mp4"));
 }

@@ -99,7 +99,7 @@ TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) {
 INSTANTIATE_TEST_SUITE_P(Makers, Import,
                          testing::Values("meshes", "trunk", "spheres", "fingers", "mjcf_motors",
                                          "mjcf_servos", "mjcf_generals"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& maker) { return maker.param; });
 
 /// A scenario of the robot that ships and of the same from its export, with what a clock wrote left
 /// out.
@@ -111,6 +111,7 @@ TEST(ImportOfAnExport, BehavesBitForBitLikeTheRobotThatItCameFrom) {
     EXPECT_EQ(Sidestep({"robots", robot, "--mjcf", mjcf}).exit_code, 0);
     const ProcessResult imported = Sidestep({"robots", "import", mjcf, "-o", out});
     EXPECT_EQ(imported.exit_code, 0) << imported.err;
+    EXPECT_NE(imported.out.find("restored the robot"), std::string::npos) << imported.out;
     const auto run = [&](const std::string& to, std::vector<std::string> more) {
       std::vector<std::string> words{"run",        scenario,    "-o", folder.path() / to,
                                      "--no-video", "--no-plots"};
@@ -134,7 +135,7 @@ TEST(ImportOfAnExport, IsReadAsAnyMjcfOnceItIsEdited) {
   folder.Write("export.xml", Edit(text, "<geom " + name, "<geom condim=\"3\" " + name));
   const ProcessResult result = Sidestep({"robots", "import", mjcf, "-o", out});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.out.find("restored"), std::string::npos);
+  EXPECT_EQ(result.out.find("restored the robot"), std::string::npos) << result.out;
   const ProcessResult stands = Sidestep({"run", out / "generic_humanoid_world_stand.yaml", "-o",
                                          folder.path() / "run", "--no-video", "--no-plots"});
   EXPECT_EQ(stands.exit_code, 0) << stands.out << stands.err;

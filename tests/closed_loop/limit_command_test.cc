@@ -67,10 +67,9 @@ TEST(LimitCommandTest, MistakesAreOneLine) {
                                              {"biped", "--assume", "reach=1"},
                                              {"biped", "--set", "gait.swing=1"},
                                              {"two_legs", "--at", "left"}}) {
-    const ProcessResult result = Limit(arguments);
-    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_EQ(result.out, "") << testing::PrintToString(arguments);
+    std::vector<std::string> words{"limit"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    ExpectMistake(words);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -93,11 +92,7 @@ TEST(PlotCommandTest, MistakesAreTwoAndOneLineThatTellsWhatWasExpected) {
   for (const auto& [arguments, expected] : mistakes) {
     std::vector<std::string> words{"plot", run};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const ProcessResult result = Sidestep(words);
-    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(words);
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find(expected), std::string::npos) << result.err;
-    EXPECT_EQ(result.out, "");
+    ExpectMistake(words, expected);
   }
 }
 

@@ -2,9 +2,14 @@
 # fuzz.sh SECONDS [READER...]: fuzzes these readers of files, or all, for SECONDS each, as many at a
 # time as there are cores; the targets are those of preset `fuzz`. What was interesting in earlier
 # runs is in build/fuzz/corpus/ and where the next one begins. Exits with 1 on a finding, whose input
-# is then in build/fuzz/findings/; once it is mended, it belongs into seeds/READER/.
+# is then in build/fuzz/findings/; once it is mended, it belongs into seeds/READER/. Exits with 2 if
+# it can't begin.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+if [[ ! "${1:-}" =~ ^[0-9]+$ ]]; then
+  echo "usage: tests/fuzz/fuzz.sh SECONDS [READER...]" >&2
+  exit 2
+fi
 seconds="$1"
 shift
 readers=("$@")
@@ -12,6 +17,17 @@ if [[ ${#readers[@]} -eq 0 ]]; then
   for folder in tests/fuzz/seeds/*/; do readers+=("$(basename "$folder")"); done
 fi
 export FUZZ_SECONDS="$seconds" FUZZ_BUILD="$PWD/build/fuzz"
+for reader in "${readers[@]}"; do
+  if [[ ! -d "tests/fuzz/seeds/$reader" ]]; then
+    echo "error: there is no reader '$reader'; there are: $(ls -m tests/fuzz/seeds)" >&2
+    exit 2
+  fi
+  if [[ ! -x "$FUZZ_BUILD/tests/fuzz/${reader}_fuzz" ]]; then
+    echo "error: ${reader}_fuzz is not built: cmake --preset fuzz &&" \
+      "cmake --build --preset fuzz --target fuzz_targets" >&2
+    exit 2
+  fi
+done
 mkdir -p "$FUZZ_BUILD/findings"
 # A file of the maker's is read in milliseconds, a robot in some hundred: with sanitizers, on a busy
 # machine, these are far beyond.
@@ -36,8 +52,13 @@ fuzz_one() {
     echo "$reader: ${inputs} inputs, no finding"
   else
     echo "$reader: FINDING after ${inputs:-some} inputs" >&2
-    grep -aE '^fuzz: |ERROR|runtime error|what\(\)|SUMMARY|Test unit written|^ *#[0-9]+ .*/(models|controller|sim|tests)/' \
-      "$work/log" | head -40 >&2
+    local marks='^fuzz: |ERROR|runtime error|what\(\)|SUMMARY|Test unit written'
+    marks+='|^ *#[0-9]+ .*/(models|controller|sim|tests)/'
+    if grep -qaE "$marks" "$work/log"; then
+      grep -aE "$marks" "$work/log" | head -40 >&2
+    else
+      tail -n 20 "$work/log" >&2
+    fi
   fi
   rm -rf "$work"
   return "$status"

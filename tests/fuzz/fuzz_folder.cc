@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 
 namespace sidestep::fuzz {
 
@@ -24,23 +25,36 @@ std::filesystem::path FuzzFolder::Write(const std::string& name, std::string_vie
   return file;
 }
 
-std::vector<FilePart> SplitFiles(std::string_view input, const std::vector<std::string>& names) {
+const FuzzFolder& InputFolder() {
+  static const FuzzFolder folder;
+  return folder;
+}
+
+std::filesystem::path WriteInput(const std::string& name, const std::uint8_t* data,
+                                 std::size_t size) {
+  return InputFolder().Write(name, TextOf(data, size));
+}
+
+void WriteFiles(const FuzzFolder& folder, std::string_view input,
+                const std::vector<std::string>& names) {
   constexpr std::string_view kMark = "@@ ";
-  std::vector<FilePart> parts;
-  bool is_kept = false;
+  std::map<std::string, std::string> texts;
+  for (const std::string& name : names) texts[name] = "";
+  std::string* text = nullptr;  // of the file that is being read
   while (!input.empty()) {
     const std::size_t end = std::min(input.find('\n'), input.size() - 1) + 1;
     const std::string_view line = input.substr(0, end);
     input.remove_prefix(end);
-    if (!line.starts_with(kMark)) {
-      if (is_kept) parts.back().text += line;
-      continue;
+    if (line.starts_with(kMark)) {
+      const auto named =
+          texts.find(std::string(line.substr(kMark.size(), line.find('\n') - kMark.size())));
+      text = named == texts.end() ? nullptr : &named->second;
+      if (text != nullptr) text->clear();
+    } else if (text != nullptr) {
+      *text += line;
     }
-    const std::string name(line.substr(kMark.size(), line.find('\n') - kMark.size()));
-    is_kept = std::find(names.begin(), names.end(), name) != names.end();
-    if (is_kept) parts.push_back({name, ""});
   }
-  return parts;
+  for (const auto& [name, whole] : texts) folder.Write(name, whole);
 }
 
 }  // namespace sidestep::fuzz

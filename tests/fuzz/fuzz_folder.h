@@ -33,15 +33,17 @@ class FuzzFolder {
   std::filesystem::path path_;
 };
 
-/// A file of several that one input holds.
-struct FilePart {
-  std::string name;
-  std::string text;
-};
+/// The folder of this program's inputs.
+const FuzzFolder& InputFolder();
 
-/// Takes an input apart at its lines `@@ name`: after each follows the text of the file of that
-/// name, one of `names`. Files of other names, and what comes before the first such line, are
-/// dropped.
-std::vector<FilePart> SplitFiles(std::string_view input, const std::vector<std::string>& names);
+/// Writes the input there, as the file of that name, and returns its path.
+std::filesystem::path WriteInput(const std::string& name, const std::uint8_t* data,
+                                 std::size_t size);
+
+/// Writes the files of these names anew, from an input that is taken apart at its lines `@@ name`:
+/// after each stands the text of the file of that name. A file that has no such line is empty. What
+/// comes before the first line, or after one of another name, is dropped.
+void WriteFiles(const FuzzFolder& folder, std::string_view input,
+                const std::vector<std::string>& names);
 
 }  // namespace sidestep::fuzz

@@ -6,12 +6,11 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "models/support/plain_line.h"
 #include "models/support/utf8.h"
 
 namespace sidestep::fuzz {
 namespace {
-
-constexpr std::size_t kLongestLine = 2000;  // bytes; more scrolls what matters out of sight
 
 bool HasKind(const std::string& line) {
   for (const char* kind : {": error: ", ": note: ", ": notice: ", ": warning: "}) {

@@ -9,8 +9,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder;
-  const std::filesystem::path file = folder.Write("robot.xml", fuzz::TextOf(data, size));
+  const std::filesystem::path file = fuzz::WriteInput("robot.xml", data, size);
   fuzz::IsRead([&] {
     ReadMjcfNames(file);
     CompileMjcf(ReadMjcfModel(file).simulated_mjcf, "", file);

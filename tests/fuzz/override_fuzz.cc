@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `--set a.b=c`, one a line, on top of a scenario that ships.
+// `--set a.b=c`, without its `--set`, and `--push TEXT`, one a line, on top of a scenario that
+// ships.
 
 #include <sstream>
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot.yaml beside the models mini.xml, mini.urdf and hopper.xml, with its `control` block.
+// A robot.yaml beside the models mini.xml, mini.urdf, hopper.xml and rabbit.xml, with its
+// `control` block.
 
 #include <string>
 
@@ -11,19 +12,14 @@
 namespace sidestep::fuzz {
 namespace {
 
-const FuzzFolder& FolderOfModels() {
-  static const FuzzFolder folder;
-  static const bool is_filled = [] {
-    const std::filesystem::path root(SIDESTEP_SOURCE_DIR);
-    for (const char* model :
-         {"tests/data/models/mini/mini.xml", "tests/data/models/mini_urdf/mini.urdf",
-          "models/hopper/hopper.xml", "models/rabbit/rabbit.xml"}) {
-      std::filesystem::copy(root / model, folder.path());
-    }
-    return true;
-  }();
-  Require(is_filled, "no models");
-  return folder;
+bool WriteModels() {
+  const std::filesystem::path root(SIDESTEP_SOURCE_DIR);
+  for (const char* model :
+       {"tests/data/models/mini/mini.xml", "tests/data/models/mini_urdf/mini.urdf",
+        "models/hopper/hopper.xml", "models/rabbit/rabbit.xml"}) {
+    std::filesystem::copy(root / model, InputFolder().path());
+  }
+  return true;
 }
 
 }  // namespace
@@ -31,7 +27,9 @@ const FuzzFolder& FolderOfModels() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  const std::string file = fuzz::FolderOfModels().Write("robot.yaml", fuzz::TextOf(data, size));
+  static const bool has_models = fuzz::WriteModels();
+  fuzz::Require(has_models, "no models");
+  const std::string file = fuzz::WriteInput("robot.yaml", data, size);
   fuzz::IsRead([&] {
     const Scenario scenario = ScenarioOfRobot(file, {}, fuzz::RequireWords);
     if (scenario.robot.model) FiguresOf(scenario.robot);

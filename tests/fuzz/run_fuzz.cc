@@ -16,12 +16,6 @@
 namespace sidestep::fuzz {
 namespace {
 
-const std::vector<std::string>& NamesOfFiles() {
-  static const std::vector<std::string> kNames{"summary.json", "scenario.yaml", "footsteps.csv",
-                                               "trajectory.csv", "mpc.csv"};
-  return kNames;
-}
-
 // gnuplot runs what stands in backticks.
 void WriteScripts(const std::filesystem::path& run_dir) {
   const plot::PlotData data = plot::LoadPlotData(run_dir);
@@ -52,12 +46,9 @@ void WriteSummary(const std::filesystem::path& run_dir) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder;
-  for (const std::string& name : fuzz::NamesOfFiles()) folder.Write(name, "");
-  for (const fuzz::FilePart& part :
-       fuzz::SplitFiles(fuzz::TextOf(data, size), fuzz::NamesOfFiles())) {
-    folder.Write(part.name, part.text);
-  }
+  const fuzz::FuzzFolder& folder = fuzz::InputFolder();
+  fuzz::WriteFiles(folder, fuzz::TextOf(data, size),
+                   {"summary.json", "scenario.yaml", "footsteps.csv", "trajectory.csv", "mpc.csv"});
   const std::filesystem::path& run_dir = folder.path();
   fuzz::IsRead([&] { fuzz::WriteSummary(run_dir); });
   fuzz::IsRead([&] { ReadFootsteps(run_dir); });

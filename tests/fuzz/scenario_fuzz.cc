@@ -29,12 +29,11 @@ Scenario Read(const std::filesystem::path& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder;
-  const std::filesystem::path file = folder.Write("scenario.yaml", fuzz::TextOf(data, size));
+  const std::filesystem::path file = fuzz::WriteInput("scenario.yaml", data, size);
   Scenario scenario;
   if (!fuzz::IsRead([&] { scenario = fuzz::Read(file); })) return 0;
   const std::string resolved = ResolvedYaml(scenario);
-  const std::filesystem::path again = folder.Write("resolved.yaml", resolved);
+  const std::filesystem::path again = fuzz::InputFolder().Write("resolved.yaml", resolved);
   fuzz::RequireRead([&] {
     fuzz::Require(ResolvedYaml(fuzz::Read(again)) == resolved, "reads back as another scenario");
   });

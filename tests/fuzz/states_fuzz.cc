@@ -48,10 +48,9 @@ void DrawAt(const StateLog& log, const render::Clip& clip, const std::vector<Eig
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder;
-  folder.Write("states.bin", fuzz::TextOf(data, size));
+  fuzz::WriteInput("states.bin", data, size);
   StateLog log;
-  if (!fuzz::IsRead([&] { log = ReadStates(folder.path()); })) return 0;
+  if (!fuzz::IsRead([&] { log = ReadStates(fuzz::InputFolder().path()); })) return 0;
   const render::Clip clip = render::ClipOf(log, std::nullopt, std::nullopt, 1.0);
   const int frames = render::FrameCount(clip, fuzz::kFps);
   fuzz::Require(frames > 0 && !render::SplitFrames(frames, 2).empty(), "no frame");

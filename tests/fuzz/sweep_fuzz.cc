@@ -2,7 +2,9 @@
 // A sweep's folder: the sweep itself, the manifest of its rays, rows of runs, and the map that is
 // drawn of them.
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "sim/map/compare_maps.h"
 #include "sim/map/map_page.h"
@@ -20,16 +22,15 @@ namespace {
 
 constexpr char kRows[] = "rows-0-of-1.csv";
 
-const std::vector<std::string>& NamesOfFiles() {
-  static const std::vector<std::string> kNames{"sweep.yaml", "manifest.csv", kRows, "cells.csv"};
-  return kNames;
-}
-
-// Any program's manifest is taken for this one's.
-std::string AsOfThisProgram(const std::string& manifest) {
-  const std::size_t first_line = manifest.find('\n');
-  return "# sidestep sweep manifest 1, program " + ProgramHash() +
-         (first_line == std::string::npos ? "\n" : manifest.substr(first_line));
+// Any program's manifest is taken for this one's: the line after `@@ manifest.csv` tells whose.
+std::string AsOfThisProgram(std::string input) {
+  constexpr std::string_view kMark = "@@ manifest.csv\n";
+  const std::string ours = "# sidestep sweep manifest 1, program " + ProgramHash();
+  for (std::size_t at = 0; (at = input.find(kMark, at)) != std::string::npos;) {
+    at += kMark.size();
+    input.replace(at, std::min(input.find('\n', at), input.size()) - at, ours);
+  }
+  return input;
 }
 
 void WriteSweep(const std::filesystem::path& folder, const FuzzFolder& other) {
@@ -51,14 +52,10 @@ void DrawMap(const map::SweepMap& map) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder, other;
-  for (const std::string& name : fuzz::NamesOfFiles()) folder.Write(name, "");
-  for (const fuzz::FilePart& part :
-       fuzz::SplitFiles(fuzz::TextOf(data, size), fuzz::NamesOfFiles())) {
-    const bool is_manifest = part.name == "manifest.csv";
-    folder.Write(part.name, is_manifest ? fuzz::AsOfThisProgram(part.text) : part.text);
-  }
-  const std::filesystem::path& path = folder.path();
+  static const fuzz::FuzzFolder other;
+  fuzz::WriteFiles(fuzz::InputFolder(), fuzz::AsOfThisProgram(fuzz::TextOf(data, size)),
+                   {"sweep.yaml", "manifest.csv", fuzz::kRows, "cells.csv"});
+  const std::filesystem::path& path = fuzz::InputFolder().path();
   fuzz::IsRead([&] { fuzz::WriteSweep(path, other); });
   fuzz::IsRead([&] {
     const SweepPlan plan = ReadPlan(path);

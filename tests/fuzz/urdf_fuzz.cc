@@ -35,8 +35,7 @@ UrdfConversion ConversionOf(const UrdfParts& parts) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sidestep;
-  static const fuzz::FuzzFolder folder;
-  const std::filesystem::path file = folder.Write("robot.urdf", fuzz::TextOf(data, size));
+  const std::filesystem::path file = fuzz::WriteInput("robot.urdf", data, size);
   fuzz::IsRead([&] {
     const UrdfParts parts = ReadUrdfParts(file);
     if (parts.frames.empty()) return;  // no IMU: a robot.yaml can't name one

@@ -32,7 +32,7 @@ TEST(FeasibilityTest, TheLeastViolationIsADistance) {
   A << 0, 0, 3, 0, 0, -5;  // z <= 1 and z >= 1.5: the middle misses both by 0.25
   const Eigen::Vector2d b(3.0, -7.5);
   EXPECT_NEAR(LeastForceViolation(A, b, 0.0), 0.25, 1e-9);
-  EXPECT_EQ(LeastForceViolation(A, Eigen::Vector2d(3.0, -5.0), 1e-9) <= 1e-9, true);
+  EXPECT_LE(LeastForceViolation(A, Eigen::Vector2d(3.0, -5.0), 1e-9), 1e-9);
 }
 
 TEST(FeasibilityTest, SaysWhatContradictsItself) {

@@ -158,17 +158,65 @@ std::vector<Eigen::Vector2f> SamplesOf(const plot::CurveFile& curves, const std:
   return samples;
 }
 
-TEST(PlotDataTest, PitchAndItsRateAreThoseOfTheBase) {
-  // Pitch 0.1 sin(phase) against 0.2 pi cos(phase): an ellipse, but for the ends of the run, which
-  // have no difference. Before the push, that is the first fifth of it.
-  const auto samples = SamplesOf(Pitching().curves, "truth_pitch_rad_before");
-  ASSERT_GT(samples.size(), 10U);
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    const Eigen::Vector2d sample = samples[i].cast<double>();
-    const Eigen::Vector2d unit(sample.x() / 0.1, sample.y() / (0.2 * std::numbers::pi));
-    EXPECT_NEAR(unit.norm(), 1.0, 1e-3) << i;
-    EXPECT_GE(unit.x(), -1e-3) << "the first quarter of the sine";
+constexpr double kPitchRow_s = 0.002;
+
+// Pitch (rad) and its rate (rad/s) of the base that Pitching() shows.
+Eigen::Vector2d PitchAt(double time_s) {
+  const double phase_rad = 2.0 * std::numbers::pi * time_s;
+  return {0.1 * std::sin(phase_rad), 0.2 * std::numbers::pi * std::cos(phase_rad)};
+}
+
+// The row's time at which pitch and rate are those of the point.
+double TimeOf(const Eigen::Vector2d& point) {
+  const double turns =
+      std::atan2(point.x() / 0.1, point.y() / (0.2 * std::numbers::pi)) / (2.0 * std::numbers::pi);
+  return std::round((turns < 0.0 ? turns + 1.0 : turns) / kPitchRow_s) * kPitchRow_s;
+}
+
+// Of a portrait's part: its points but for gaps.
+std::vector<Eigen::Vector2d> PitchPoints(const std::string& when) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Eigen::Vector2f& sample : SamplesOf(Pitching().curves, "truth_pitch_rad_" + when)) {
+    if (sample.allFinite()) points.push_back(sample.cast<double>());
   }
+  return points;
+}
+
+// Each point is a row's to the last digits, and no row between two of them is farther from the line
+// that joins them than a 2000th of the portrait's width and height.
+void ExpectRows(const std::vector<Eigen::Vector2d>& points, double from_s, double to_s) {
+  const Eigen::Vector2d scale(1.0 / 0.2, 1.0 / (0.4 * std::numbers::pi));
+  ASSERT_GT(points.size(), 5U);
+  EXPECT_NEAR(TimeOf(points.front()), from_s, 1e-9);
+  EXPECT_NEAR(TimeOf(points.back()), to_s, 1e-9);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double time_s = TimeOf(points[i]);
+    const Eigen::Vector2d row = PitchAt(time_s);
+    EXPECT_NEAR(points[i].x(), row.x(), 1e-7) << time_s;
+    EXPECT_NEAR(points[i].y(), row.y(), 1e-4) << time_s << ": a central difference";
+    if (i + 1 == points.size()) break;
+    const double next_s = TimeOf(points[i + 1]);
+    EXPECT_GT(next_s, time_s) << "clockwise, as time goes";
+    const Eigen::Vector2d chord = scale.cwiseProduct(points[i + 1] - points[i]).normalized();
+    for (double t = time_s + kPitchRow_s; t < next_s - 0.5 * kPitchRow_s; t += kPitchRow_s) {
+      const Eigen::Vector2d off = scale.cwiseProduct(PitchAt(t) - points[i]);
+      EXPECT_LT((off - chord * chord.dot(off)).norm(), std::sqrt(2.0) / 2000.0) << t;
+    }
+  }
+}
+
+TEST(PlotDataTest, PitchAndItsRateAreThoseOfTheBase) {
+  std::vector<Eigen::Vector2d> before = PitchPoints("before"), after = PitchPoints("after");
+  // The ends of the run have no difference.
+  ASSERT_FALSE(before.empty() || after.empty());
+  EXPECT_EQ(before.front(), Eigen::Vector2d::Zero());
+  EXPECT_NEAR(after.back().x(), PitchAt(0.998).x(), 1e-7);
+  EXPECT_EQ(after.back().y(), 0.0);
+  before.erase(before.begin());
+  after.pop_back();
+  ExpectRows(before, 0.002, 0.2);
+  ExpectRows(PitchPoints("pushed"), 0.2, 0.3);
+  ExpectRows(after, 0.302, 0.996);
 }
 
 TEST(PlotDataTest, WhatDoesNotMoveHasNoPortrait) {
