@@ -3,25 +3,23 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
 
 #include "models/import/clean_up.h"
-#include "models/import/embedded_robot.h"
 #include "models/import/imported_robot.h"
 #include "models/import/mjcf_couplings.h"
 #include "models/import/read_mjcf.h"
 #include "models/import/read_source.h"
 #include "models/import/replace_meshes.h"
+#include "models/import/restore_robot.h"
 #include "models/import/self_collision.h"
 #include "models/import/text.h"
 #include "models/import/weak_ankles.h"
+#include "models/import/write_file.h"
 #include "models/import/write_robot_yaml.h"
 #include "models/import/write_scenarios.h"
 #include "models/import/write_urdf.h"
-#include "models/robot_description/robot_faults.h"
 #include "models/support/plain_word.h"
-#include "models/support/xml_bounds.h"
 
 namespace sidestep::importer {
 namespace {
@@ -46,12 +44,15 @@ class Import {
 
   ImportReport Run() {
     const bool is_mjcf = IsMjcf(options_.source);
-    if (is_mjcf && Restore()) return std::move(report_);
+    if (is_mjcf) {
+      if (std::optional<ImportReport> restored = RestoreRobot(options_))
+        return *std::move(restored);
+    }
     it_.robot = is_mjcf ? ReadMjcf(options_.source, &meshes_, &report_.done)
                         : ReadSource(options_.source, &report_.done);
     it_.source = options_.source.filename().string();
     it_.name = options_.name.empty() ? PlainName(it_.robot.name) : options_.name;
-    it_.mode = options_.mode;
+    it_.mode = options_.mode.empty() ? "position" : options_.mode;
     Problems problems(file_);
     CleanUp(&it_.robot, &problems, &report_.done);
     problems.ThrowIfAny();
@@ -70,18 +71,6 @@ class Import {
 
  private:
   const SourceLink& Link(int link) const { return it_.robot.links[static_cast<std::size_t>(link)]; }
-
-  /// Writes the robot that an export carries, if the source is one.
-  bool Restore() {
-    const std::optional<RobotFiles> files = RobotFilesIn(ReadXmlText(options_.source));
-    if (!files) return false;
-    report_.done.push_back("restored the robot that the MJCF was exported from, as it was");
-    std::filesystem::create_directories(options_.folder);
-    for (const auto& [name, text] : *files) Write(name, text);
-    const RobotDescription robot = ReadSoundRobot(options_.folder / files->front().first);
-    for (const auto& [name, text] : ScenariosOf(robot)) Write(name, text);
-    return true;
-  }
 
   /// An IMU where the maker has a frame for one on the trunk, and a torso frame that faces forward.
   void AddTrunkFrames() {
@@ -225,10 +214,7 @@ class Import {
   }
 
   void Write(const std::string& name, const std::string& text) {
-    std::ofstream out(options_.folder / name, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw ConfigError((options_.folder / name).string() + ": error: can't be written");
+    WriteFile(options_.folder / name, text);
     report_.files.push_back(name);
   }
 

@@ -18,7 +18,7 @@ struct ImportOptions {
   std::filesystem::path source;  ///< The URDF or MJCF.
   std::filesystem::path folder;  ///< Made if need be; files of the same names are replaced.
   std::string name;              ///< Of the robot; empty: the source's.
-  std::string mode{"position"};  ///< Or torque: what the scenarios ask for.
+  std::string mode;              ///< position or torque, for the scenarios; empty: position.
   Packages packages;
   bool has_meshes{true};  ///< Whether visual meshes are copied.
 };
@@ -32,7 +32,7 @@ struct ImportReport {
 };
 
 /// Imports. Throws ConfigError with all problems, each with its line, where the source can't become
-/// a robot here; nothing is written then.
+/// a robot here; nothing is written then. Of an export that carries its robot: see restore_robot.h.
 ImportReport ImportRobot(const ImportOptions& options);
 
 }  // namespace sidestep::importer

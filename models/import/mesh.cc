@@ -12,11 +12,10 @@
 #include <assimp/Importer.hpp>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
+#include "models/import/write_file.h"
 #include "models/mjcf/mjcf.h"
-#include "models/support/config_error.h"
 
 namespace sidestep::importer {
 namespace {
@@ -158,10 +157,7 @@ void WriteStl(const Mesh& mesh, const std::filesystem::path& file) {
     }
     append(std::uint16_t{0});
   }
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw ConfigError(file.string() + ": error: can't be written");
+  WriteFile(file, text);
 }
 
 }  // namespace sidestep::importer

@@ -89,7 +89,7 @@ void AddRobotsImportCommand(CLI::App& robots, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--mode", options.mode, "What drives its joints")
       ->check(CLI::IsMember({"position", "torque"}))
-      ->capture_default_str();
+      ->default_str("position");
   command->add_flag("--no-meshes", arguments->has_no_meshes, "Draw it with its collision shapes");
   command->add_flag("--force", arguments->may_replace, "Replace what an import wrote there before");
   command->callback([arguments, &exit_code] { exit_code = Import(*arguments); });
