@@ -6,18 +6,12 @@
 #include <limits>
 
 #include "models/import/text.h"
+#include "models/mjcf/joint_servo.h"
 
 namespace sidestep::importer {
 namespace {
 
 constexpr double kUnbound = std::numeric_limits<double>::infinity();
-constexpr double kSame = 1e-9;  // of two gains, in the one's size
-
-/// What holds both ways; of a range that begins at zero, its other end.
-double Bound(const mjtNum* range) {
-  const double nearer = std::min(-range[0], range[1]);
-  return nearer > 0.0 ? nearer : std::max(std::abs(range[0]), std::abs(range[1]));
-}
 
 class MotorTaker {
  public:
@@ -29,7 +23,7 @@ class MotorTaker {
       const int index = bodies_.joint[static_cast<std::size_t>(m_.actuator_trnid[2 * i])];
       if (index < 0) continue;
       SourceJoint& joint = bodies_.robot.joints[static_cast<std::size_t>(index)];
-      limits[static_cast<std::size_t>(index)] += LimitOf(i);
+      limits[static_cast<std::size_t>(index)] += JointEffortLimit_Nm(m_, i);
       TakeServo(i, &joint);
     }
     for (int id = 0; id < m_.njnt; ++id) {
@@ -48,38 +42,23 @@ class MotorTaker {
   }
 
  private:
-  bool IsServo(int i) const {
-    const double gain = m_.actuator_gainprm[mjNGAIN * i];
-    const double bias = m_.actuator_biasprm[mjNBIAS * i + 1];
-    return m_.actuator_gaintype[i] == mjGAIN_FIXED && m_.actuator_biastype[i] == mjBIAS_AFFINE &&
-           gain > 0.0 && std::abs(gain + bias) <= kSame * gain &&
-           m_.actuator_biasprm[mjNBIAS * i] == 0.0;
-  }
-
-  double LimitOf(int i) const {
-    double limit = kUnbound;
-    const bool is_motor = m_.actuator_biastype[i] == mjBIAS_NONE;
-    if (is_motor && m_.actuator_ctrllimited[i] != 0) {
-      limit = std::abs(m_.actuator_gainprm[mjNGAIN * i]) * Bound(m_.actuator_ctrlrange + 2 * i);
-    }
-    if (m_.actuator_forcelimited[i] != 0) {
-      limit = std::min(limit, Bound(m_.actuator_forcerange + 2 * i));
-    }
-    return limit * std::abs(m_.actuator_gear[6 * i]);
-  }
-
   void TakeServo(int i, SourceJoint* joint) const {
-    if (!IsServo(i)) return;
+    if (!IsJointServo(m_, i)) return;
     const double gear = m_.actuator_gear[6 * i];
     double kv = -m_.actuator_biasprm[mjNBIAS * i + 2];
     if (kv == 0.0 && m_.nuser_actuator > 0) kv = m_.actuator_user[m_.nuser_actuator * i];
-    joint->servo_stiffness_Nm_per_rad = m_.actuator_gainprm[mjNGAIN * i] * gear * gear;
-    joint->servo_damping_Nms_per_rad = std::max(0.0, kv) * gear * gear;
+    const double stiffness = m_.actuator_gainprm[mjNGAIN * i] * gear * gear;
+    joint->servo_stiffness_Nm_per_rad = stiffness;
+    // Today's MuJoCo has a positive bias for a ratio of damping: of the joint at first, armature
+    // and all that hangs on it included, not its own damping.
+    const double inertia = m_.dof_M0[m_.jnt_dofadr[m_.actuator_trnid[2 * i]]];
+    joint->servo_damping_Nms_per_rad =
+        kv >= 0.0 ? kv * gear * gear : -kv * 2.0 * std::sqrt(stiffness * inertia);
   }
 
   double JointLimitOf(int id) const {
     if (m_.nuser_jnt < 2) return kUnbound;
-    const double bound = Bound(m_.jnt_user + m_.nuser_jnt * id);
+    const double bound = RangeBound(m_.jnt_user + m_.nuser_jnt * id);
     return bound > 0.0 ? bound : kUnbound;
   }
 

@@ -8,11 +8,9 @@
 
 namespace sidestep::importer {
 
-/// Fills the joints' efforts (0 where nothing bounds them), servo stiffness and damping. A motor is
-/// bounded by its ctrlrange and forcerange, a servo by its forcerange, either by its joint's
-/// actuatorfrcrange, all through the gear; where the two ends differ, the nearer counts. A servo is
-/// a <position>, or a <general> whose bias is -gain times the position.
-/// @param model  Whose joints' `user` numbers are as mjcf_newer.h says, and those of <position>s.
+/// Fills the joints' efforts (0 where nothing bounds them), servo stiffness and damping. A joint is
+/// bounded by JointEffortLimit_Nm() of its actuators together and by its actuatorfrcrange.
+/// @param model  Whose joints' `user` numbers are as mjcf_newer.h says, and those of servos.
 void TakeMotors(const mjModel& model, MjcfBodies* bodies, Notes* notes);
 
 }  // namespace sidestep::importer

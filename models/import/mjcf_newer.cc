@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "models/urdf_to_mjcf/mjcf_text.h"
+
 namespace sidestep::importer {
 namespace {
 
@@ -22,7 +24,6 @@ const std::set<std::string>& Needless() {
                                             "maxhullvert",
                                             "content_type",
                                             "inheritrange",
-                                            "dampratio",
                                             "actrange",
                                             "actlimited",
                                             "actearly",
@@ -56,7 +57,9 @@ const std::map<std::string, std::string>& LeftOut() {
   return kWords;
 }
 
-bool IsPosition(const XmlElement& element) { return element.tag == "position"; }
+bool IsServo(const XmlElement& element) {
+  return element.tag == "position" || element.tag == "intvelocity";
+}
 
 std::string NameOf(const XmlElement& element) {
   std::string text = "<" + element.tag + ">";
@@ -81,13 +84,15 @@ void NewerWords::Mend(const std::string& parent, XmlElement* element) {
   if (element->tag == "joint" && element->Text("actuatorfrclimited") != "false") {
     user = element->Text("actuatorfrcrange");
   }
-  const bool is_kv_newer = IsPosition(*element) && !schema_.HasAttribute(parent, "position", "kv");
-  if (is_kv_newer) user = element->Text("kv");
+  const bool is_servo = IsServo(*element);
+  const bool is_kv_newer = is_servo && !schema_.HasAttribute(parent, element->tag, "kv");
+  if (is_servo) user = DampingOf(*element, is_kv_newer);
   std::vector<std::pair<std::string, std::string>> kept;
   for (const auto& [name, value] : element->attributes) {
     const auto left_out = LeftOut().find(name);
     const bool is_known = schema_.HasAttribute(parent, element->tag, name);
     if (name == "actuatorfrcrange" || (name == "kv" && is_kv_newer)) continue;
+    if (name == "dampratio" && is_servo) continue;
     if (Needless().count(name) > 0) {
       if (!is_known) ++taken_out_[name];
     } else if (is_known) {
@@ -105,6 +110,20 @@ void NewerWords::Mend(const std::string& parent, XmlElement* element) {
   }
   element->attributes = std::move(kept);
   if (!user.empty()) element->Set("user", user);
+}
+
+std::string NewerWords::DampingOf(const XmlElement& servo, bool is_kv_newer) {
+  const std::string* kv = is_kv_newer ? servo.Find("kv") : nullptr;
+  const std::string* ratio = servo.Find("dampratio");
+  if (ratio == nullptr) return kv == nullptr ? "" : *kv;
+  const double number = std::strtod(ratio->c_str(), nullptr);
+  if (servo.Find("kv") != nullptr) {
+    problems_.AddAt(tree_.Place(servo), NameOf(servo) + " has kv and dampratio; delete one");
+  } else if (number < 0.0) {
+    problems_.AddAt(tree_.Place(servo), NameOf(servo) + " has dampratio=\"" + *ratio +
+                                            "\", which must not be negative");
+  }
+  return number > 0.0 ? Number(-number) : "0";
 }
 
 void NewerWords::RefuseElement(const XmlElement& element) {

@@ -17,7 +17,8 @@ class NewerWords {
   NewerWords(const XmlTree& tree, Problems* problems) : tree_(tree), problems_(*problems) {}
 
   /// Makes the element's attributes ones that MuJoCo knows. The lower and the upper end of a
-  /// joint's actuatorfrcrange, and the kv of a position servo, end up in `user`.
+  /// joint's actuatorfrcrange end up in `user`, and so does of a servo the kv or, as a negative
+  /// number, the dampratio: one number, so that an element's replaces its class's.
   /// @param parent  What it stands in: default, asset, body, actuator, mujoco.
   void Mend(const std::string& parent, XmlElement* element);
 
@@ -32,6 +33,8 @@ class NewerWords {
 
  private:
   void CheckNumbers(const XmlElement& element);
+  /// For `user`; empty where the servo says nothing.
+  std::string DampingOf(const XmlElement& servo, bool is_kv_newer);
 
   const XmlTree& tree_;
   Problems& problems_;

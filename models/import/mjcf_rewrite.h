@@ -5,7 +5,7 @@
 // Bodies, shapes, classes, materials' colours and actuators of joints stay. Floors, lights,
 // cameras, options, keyframes, sensors go: the world is ours. Of what is newer than our MuJoCo
 //   actuatorfrcrange   of a joint becomes its `user` numbers, so that classes still hand it down
-//   kv                 of <position> becomes the actuator's
+//   kv, dampratio      of <position> become the actuator's `user` number, likewise
 //   <frame>            becomes a body without a name, welded
 //   autolimits         is on where the file says nothing, as MuJoCo has it today
 //   what changes nothing that we read (inheritrange, maxhullvert ...) is taken out

@@ -46,6 +46,38 @@ TEST(MjcfMotors, DampingIsReadOfBothKindsOfServo) {
   EXPECT_EQ(hip.servo_damping_Nms_per_rad, 7.0);
 }
 
+TEST(MjcfMotors, ARatioOfDampingIsOfTheJointsInertia) {
+  // The leg's inertia about the hip is 1 kg m^2: 2 * 0.7 * sqrt(100 * 1).
+  const double damping = 14.0;
+  EXPECT_NEAR(
+      HipWith("<position joint=\"hip\" kp=\"100\" dampratio=\"0.7\"/>").servo_damping_Nms_per_rad,
+      damping, 1e-9);
+  EXPECT_NEAR(HipWith("<position joint=\"hip\" kp=\"25\" gear=\"-2\" dampratio=\"0.7\"/>")
+                  .servo_damping_Nms_per_rad,
+              damping, 1e-9)
+      << "through the gear";
+  EXPECT_NEAR(HipWith("<general joint=\"hip\" gainprm=\"100\" biastype=\"affine\" "
+                      "biasprm=\"0 -100 0.7\"/>")
+                  .servo_damping_Nms_per_rad,
+              damping, 1e-9)
+      << "today's MuJoCo writes a ratio so";
+}
+
+TEST(MjcfMotors, AnElementsDampingReplacesItsClasss) {
+  const auto damping = [](const std::string& of_class, const std::string& own) {
+    return SourceOfMjcf(
+               SmallMjcf("",
+                         "<actuator><position joint=\"hip\" kp=\"100\" " + own + "/></actuator>",
+                         "<default><position " + of_class + "/></default>"))
+        .joints[0]
+        .servo_damping_Nms_per_rad;
+  };
+  EXPECT_NEAR(damping("dampratio=\"1\"", ""), 20.0, 1e-9);
+  EXPECT_NEAR(damping("kv=\"3\"", "dampratio=\"1\""), 20.0, 1e-9);
+  EXPECT_EQ(damping("dampratio=\"1\"", "kv=\"3\""), 3.0);
+  EXPECT_EQ(damping("dampratio=\"1\"", "dampratio=\"0\""), 0.0);
+}
+
 TEST(MjcfMotors, ABiasThatIsNoServosIsNone) {
   const SourceJoint hip =
       HipWith("<general joint=\"hip\" gainprm=\"100\" biastype=\"affine\" biasprm=\"0 -50 -7\"/>");

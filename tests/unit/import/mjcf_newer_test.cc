@@ -23,10 +23,21 @@ TEST(NewerWords, WhatNobodyKnowsIsToldAtOnceWithItsLine) {
 TEST(NewerWords, WhatChangesNothingIsTakenOutAndCounted) {
   Notes notes;
   SourceOfMjcf(SmallMjcf("",
-                         "<actuator><position joint=\"hip\" kp=\"5\" dampratio=\"1\" "
+                         "<actuator><position joint=\"hip\" kp=\"5\" "
                          "inheritrange=\"1\"/></actuator>\n"),
                &notes);
-  EXPECT_TRUE(HasNote(notes, "changes nothing here: dampratio (1), inheritrange (1)"));
+  EXPECT_TRUE(HasNote(notes, "changes nothing here: inheritrange (1)"));
+}
+
+TEST(NewerWords, ARatioOfDampingThatMeansNothingIsTold) {
+  const auto error = [](const std::string& damping) {
+    return MjcfErrorOf(SmallMjcf(
+        "", "<actuator><position name=\"m\" joint=\"hip\" kp=\"5\" " + damping + "/></actuator>"));
+  };
+  EXPECT_EQ(error("kv=\"1\" dampratio=\"1\""),
+            "robot.xml:7: error: <position> 'm' has kv and dampratio; delete one");
+  EXPECT_EQ(error("dampratio=\"-1\""),
+            "robot.xml:7: error: <position> 'm' has dampratio=\"-1\", which must not be negative");
 }
 
 TEST(NewerWords, WhatIsLackedIsToldOneByOne) {
