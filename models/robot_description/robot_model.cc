@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/robot_description/robot_model.h"
 
+#include "models/mjcf/mjcf_bounds.h"
+#include "models/robot_description/servos_as_motors.h"
 #include "models/support/xml_bounds.h"
 
 namespace sidestep {
@@ -10,7 +12,8 @@ const char* LanguageName(ModelLanguage language) {
 }
 
 RobotModel ReadMjcfModel(const std::filesystem::path& file) {
-  const std::string text = ReadXmlText(file);
+  CheckMjcfBounds(file);
+  const std::string text = WithServosAsMotors(ReadXmlText(file), file);
   return {ModelLanguage::kMjcf, file, text, text, ""};
 }
 

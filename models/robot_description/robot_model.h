@@ -21,7 +21,7 @@ enum class ModelDetail {
 };
 
 /// The model. Both texts are whole MJCF documents, to be included in a world's; they differ for a
-/// URDF only, because an MJCF is taken as it is.
+/// URDF only, because an MJCF is taken as it is, but for WithServosAsMotors().
 struct RobotModel {
   ModelLanguage language{ModelLanguage::kMjcf};
   std::filesystem::path file;  ///< Absolute.
@@ -34,7 +34,8 @@ struct RobotModel {
   }
 };
 
-/// Reads an MJCF file; does not compile it. Throws ConfigError if it can't be read.
+/// Reads an MJCF file. Throws ConfigError if it can't be read or is beyond CheckMjcfBounds(); one
+/// that MuJoCo can't compile is for ReadMjcfNames() to tell.
 RobotModel ReadMjcfModel(const std::filesystem::path& file);
 
 }  // namespace sidestep

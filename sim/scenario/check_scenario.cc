@@ -90,11 +90,13 @@ void CheckMode(const Scenario& scenario, const ConfigTree& root) {
   if (mode == ControlMode::kPassive || !robot.model) return;
   for (const UnfitMotor& motor : NamesIn(robot).unfit_motors) {
     if (mode == ControlMode::kPosition && motor.lacks_a_limit) continue;
-    FailAtEither(root, "control.mode", "robot",
-                 "= " + std::string(EnumName(mode)) + " needs each joint's <motor> to have gear 1" +
-                     (mode == ControlMode::kTorque ? " and a ctrlrange of -limit to limit" : "") +
-                     ", and that of '" + motor.joint + "' of '" + scenario.robot_name + "' " +
-                     motor.what);
+    FailAtEither(
+        root, "control.mode", "robot",
+        "= " + std::string(EnumName(mode)) + " needs each joint's <motor> to have gear 1" +
+            (mode == ControlMode::kTorque ? " and a ctrlrange of -limit to limit" : "") +
+            ", and that of '" + motor.joint + "' of '" + scenario.robot_name + "' " + motor.what +
+            (motor.lacks_a_limit ? ""
+                                 : "; sidestep robots import FILE.xml -o DIR makes motors of it"));
   }
 }
 

@@ -85,10 +85,22 @@ TEST(RobotDescriptionTest, MotorsThatTorqueControlCanNotUseAreTold) {
             "has a forcerange narrower than its ctrlrange -4 4; it lacks a limit");
   EXPECT_EQ(UnfitnessOf("<motor joint=\"hip\" ctrlrange=\"-4 4\" gear=\"-10\"/>"),
             "has the gear -10");
-  for (const char* kind : {"position kp=\"10\"", "velocity kv=\"1\"", "general gainprm=\"2\""}) {
+  for (const char* kind : {"velocity kv=\"1\"", "general gainprm=\"2\""}) {
     EXPECT_EQ(UnfitnessOf("<" + std::string(kind) + " joint=\"hip\" ctrlrange=\"-4 4\"/>"),
               "is no <motor>");
   }
+}
+
+TEST(RobotDescriptionTest, ServosOfAnMjcfGiveWayToMotorsWithTheirLimits) {
+  EXPECT_EQ(UnfitnessOf("<position joint=\"hip\" kp=\"10\" ctrlrange=\"-1 1\" gear=\"2\" "
+                        "forcerange=\"-9 9\"/>"),
+            "fit");
+  EXPECT_EQ(UnfitnessOf("<general joint=\"hip\" gainprm=\"10\" biastype=\"affine\" biasprm=\"0 -10 "
+                        "-1\" forcerange=\"-9 9\"/>"),
+            "fit");
+  EXPECT_EQ(UnfitnessOf("<position joint=\"hip\" kp=\"10\" ctrlrange=\"-4 4\"/>"),
+            "has no ctrlrange; it lacks a limit")
+      << "a servo's ctrlrange is of angles";
 }
 
 TEST(RobotDescriptionTest, NamesOfACentroidalRobotAreItsComAndFeet) {

@@ -181,6 +181,18 @@ TEST_F(CheckScenarioTest, TorqueControlNeedsMotorsWithLimits) {
       "ctrlrange of -limit to limit, and that of 'leg' of 'robot.yaml' has no ctrlrange")
       << "the mode is a default: the robot is to blame";
   EXPECT_EQ(ErrorIn(Edit(unlimited, "mode: torque", "mode: passive")), "no error");
+  folder_.Write("mini.xml", Edit(mjcf, "joint=\"leg\" ctrllimited=\"true\" ctrlrange=\"-60 60\"",
+                                 "joint=\"leg\" gear=\"5\""));
+  EXPECT_EQ(
+      ErrorIn(unlimited),
+      "a.yaml:8:9: error: control.mode = torque needs each joint's <motor> to have gear 1 and a "
+      "ctrlrange of -limit to limit, and that of 'leg' of 'robot.yaml' has the gear 5; sidestep "
+      "robots import FILE.xml -o DIR makes motors of it");
+  std::string servo = Edit(mjcf, "joint=\"leg\" ctrllimited=\"true\" ctrlrange=\"-60 60\"",
+                           "joint=\"leg\" kp=\"900\" forcelimited=\"true\" forcerange=\"-60 60\"");
+  servo.replace(servo.rfind("<motor", servo.find("kp=\"900\"")), 6, "<position");
+  folder_.Write("mini.xml", servo);
+  EXPECT_EQ(ErrorIn(unlimited), "no error") << "a servo of the MJCF gives way to a motor";
 }
 
 TEST_F(CheckScenarioTest, EstimatedWrenchNeedsSensorsInTheArms) {
