@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "models/import/mjcf_couplings.h"
+#include "models/import/mjcf_frames.h"
 #include "models/import/mjcf_meshes.h"
 #include "models/import/mjcf_newer.h"
 #include "models/import/text.h"
@@ -29,11 +30,14 @@ class Rewriter {
       parts_.root.children.push_back({name, {}, {}, 0, 0});
     }
     Part("compiler").Set("autolimits", "true");  // the default of today's MuJoCo
+    for (const XmlElement& section : tree_.root.children) {
+      if (section.tag == "compiler") TakeCompiler(section);  // wherever it stands, it holds
+    }
     for (const XmlElement& section : tree_.root.children) TakeSection(section);
     Part("compiler").Set("convexhull", "false");  // we fit our own, and flat meshes have none
-    ResolveMeshes(tree_, &Part("asset"), &parts_.root, files_, &problems_);
     parts_.root.children.insert(parts_.root.children.begin() + 1, defaults_.begin(),
                                 defaults_.end());
+    ResolveMeshes(tree_, &Part("asset"), &parts_.root, files_, &problems_);
     FindCouplings(tree_, &parts_, &problems_, &notes_);
     newer_.Tell(&notes_);
     std::vector<std::string> tags;
@@ -55,9 +59,8 @@ class Rewriter {
   }
 
   void TakeSection(const XmlElement& section) {
-    if (section.tag == "compiler") {
-      TakeCompiler(section);
-    } else if (section.tag == "default") {
+    if (section.tag == "compiler") return;
+    if (section.tag == "default") {
       XmlElement& copy = defaults_.emplace_back(section);
       copy.children.clear();
       TakeDefault(section, &copy);
@@ -83,11 +86,11 @@ class Rewriter {
     copy.children.clear();
     std::erase_if(copy.attributes, [](const auto& a) { return kLeftOut.count(a.first) > 0; });
     newer_.Mend("mujoco", &copy);
-    is_always_from_geoms_ = copy.Text("inertiafromgeom") == "true" || is_always_from_geoms_;
     XmlElement& to = Part("compiler");
     to.file = copy.file;
     to.line = copy.line;
     for (const auto& [name, value] : copy.attributes) to.Set(name, value);
+    is_always_from_geoms_ = to.Text("inertiafromgeom") == "true";
   }
 
   void TakeDefault(const XmlElement& from, XmlElement* to) {
@@ -143,7 +146,9 @@ class Rewriter {
       RefuseJointsIn(from);
       body.Erase("name");
       if (to->tag == "worldbody") {
-        TakeBody(from, false, to);  // where the robot is in its world is no matter
+        frames_.push_back(&from);
+        TakeBody(from, false, to);  // what else is in it is scenery
+        frames_.pop_back();
         return;
       }
       if (has_inertial) {
@@ -155,6 +160,11 @@ class Rewriter {
       has_inertial = !is_always_from_geoms_ &&
                      std::any_of(from.children.begin(), from.children.end(),
                                  [](const XmlElement& e) { return e.tag == "inertial"; });
+      const std::string fault =
+          to->tag == "worldbody" ? PutIntoFrames(frames_, Part("compiler"), &body) : std::string();
+      if (!fault.empty()) {
+        problems_.AddAt(tree_.Place(*frames_.back()), "<frame> can't be read" + fault);
+      }
     }
     newer_.Mend("body", &body);
     if (const std::string* name = body.Find("name")) {
@@ -216,7 +226,8 @@ class Rewriter {
   Notes& notes_;
   NewerWords newer_;
   MjcfParts parts_;
-  std::vector<XmlElement> defaults_;  // of every section: MuJoCo merges them itself
+  std::vector<XmlElement> defaults_;       // of every section: MuJoCo merges them itself
+  std::vector<const XmlElement*> frames_;  // around a child of the world, the outermost first
   bool is_always_from_geoms_{false};
   int num_unnamed_{0};
   std::map<std::string, int> passed_over_;

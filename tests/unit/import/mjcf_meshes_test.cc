@@ -42,5 +42,45 @@ TEST(MjcfMeshes, ABodyWithItsMassFromAMeshNeedsTheFile) {
       "the body an <inertial>");
 }
 
+TEST(MjcfMeshes, AllShapesThatWouldWeighAreTold) {
+  const std::string asset = "<asset><mesh name=\"m\" file=\"m.stl\"/></asset>\n";
+  const std::string shapes =
+      "<geom class=\"mesh\"/>\n"
+      "<frame childclass=\"mesh\">\n<geom/></frame>\n"
+      "<geom type=\"mesh\" mesh=\"m\" mass=\"2\"/>\n";
+  const std::string classes =
+      "<default><default class=\"mesh\"><geom type=\"mesh\" mesh=\"m\"/></default></default>\n";
+  const auto line = [](int number) {
+    return "robot.xml:" + std::to_string(number) +
+           ": error: <geom> gives body 'b' its mass, but its mesh 'm' can't be read; give the body "
+           "an <inertial>";
+  };
+  EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body name=\"b\">\n" + shapes + "</body>", "", classes + asset)),
+            line(9) + "\n" + line(11) + "\n" + line(12));
+}
+
+TEST(MjcfMeshes, WhereShapesWeighInSpiteOfAnInertialTheyAreTold) {
+  const std::string error = MjcfErrorOf(SmallMjcf("<geom type=\"mesh\" mesh=\"m\"/>",
+                                                  "<compiler inertiafromgeom=\"true\"/>", kAsset));
+  EXPECT_EQ(error,
+            "robot.xml:8: error: <geom> gives body 'pelvis' its mass, but its mesh 'm' can't be "
+            "read; take inertiafromgeom out of <compiler>, or give the geom mass=\"0\"");
+}
+
+TEST(MjcfMeshes, ShapesThatOnlyShowMayBeMissing) {
+  const std::string classes =
+      "<default><default class=\"seen\"><geom type=\"mesh\" mesh=\"m\" "
+      "density=\"0\"/></default></default>\n";
+  const auto mass_kg = [&](const std::string& geom) {
+    return LinkCalled(SourceOfMjcf(SmallMjcf(
+                          "<body name=\"b\"><geom size=\"0.1\" mass=\"4\"/>" + geom + "</body>", "",
+                          classes + kAsset)),
+                      "b")
+        .mass.mass_kg;
+  };
+  EXPECT_EQ(mass_kg("<geom class=\"seen\"/>"), 4.0);
+  EXPECT_EQ(mass_kg("<geom type=\"mesh\" mesh=\"m\" mass=\"0\"/>"), 4.0);
+}
+
 }  // namespace
 }  // namespace sidestep::importer

@@ -31,6 +31,51 @@ TEST(MjcfRewrite, AShapeInAFrameWeighsWhereTheBodyHasNoInertial) {
   EXPECT_NEAR(LinkCalled(robot, "ball").mass.com_m.z(), 1.0, 1e-12);
 }
 
+TEST(MjcfRewrite, AFrameOfTheWorldTurnsTheRobotAndPassesItsClassOn) {
+  const auto robot_in = [](const std::string& begin, const std::string& end) {
+    return SourceOfMjcf(
+        "<mujoco><worldbody>" + begin +
+        "<body name=\"r\" euler=\"0 90 0\"><freejoint/><geom size=\"0.1\" pos=\"1 0 0\"/>"
+        "<body><joint name=\"h\"/><geom size=\"0.1\"/></body></body>" +
+        end + "</worldbody><compiler eulerseq=\"ZYX\" angle=\"degree\"/>" +
+        "<default><default class=\"outer\"><joint armature=\"1\"/></default>"
+        "<default class=\"inner\"><joint armature=\"2\"/></default></default></mujoco>");
+  };
+  const SourceRobot robot =
+      robot_in("<frame childclass=\"outer\" euler=\"90 0 0\"><frame childclass=\"inner\">",
+               "</frame></frame>");
+  // By its own angles the ball hangs down; a quarter turn about z leaves it there.
+  EXPECT_TRUE(LinkCalled(robot, "r").mass.com_m.isApprox(Eigen::Vector3d(0.0, 0.0, -1.0), 1e-12));
+  EXPECT_EQ(robot.joints[0].armature_kgm2, 2.0) << "the innermost";
+  const SourceRobot upright = robot_in("<frame euler=\"0 -90 0\">", "</frame>");
+  EXPECT_TRUE(LinkCalled(upright, "r").mass.com_m.isApprox(Eigen::Vector3d(1.0, 0.0, 0.0), 1e-12));
+  EXPECT_EQ(upright.joints[0].armature_kgm2, 0.0);
+}
+
+TEST(MjcfRewrite, AFramePassesItsClassOnAndABodysOwnCountsMore) {
+  const SourceRobot robot = SourceOfMjcf(
+      SmallMjcf("<frame childclass=\"a\"><body><joint name=\"x\"/><geom size=\"1\"/></body>"
+                "<body childclass=\"b\"><joint name=\"y\"/><geom size=\"1\"/></body></frame>"
+                "<body><joint name=\"z\"/><geom size=\"1\"/></body>",
+                "",
+                "<default><joint armature=\"3\"/><default class=\"a\"><joint armature=\"1\"/>"
+                "</default><default class=\"b\"><joint armature=\"2\"/></default></default>"));
+  const auto armature = [&](const std::string& joint) {
+    return robot.joints[static_cast<std::size_t>(JointCalled(robot, joint))].armature_kgm2;
+  };
+  EXPECT_EQ(armature("x"), 1.0);
+  EXPECT_EQ(armature("y"), 2.0);
+  EXPECT_EQ(armature("z"), 3.0) << "it is in no frame";
+}
+
+TEST(MjcfRewrite, AFrameOfTheWorldThatCantBeReadIsTold) {
+  const std::string error = MjcfErrorOf(
+      "<mujoco><worldbody>\n<frame quat=\"1 0\"><body><freejoint/><geom "
+      "size=\"1\"/><body><joint/><geom "
+      "size=\"1\"/></body></body></frame></worldbody></mujoco>");
+  EXPECT_EQ(error.rfind("robot.xml:2: error: <frame> can't be read: ", 0), 0U) << error;
+}
+
 TEST(MjcfRewrite, AJointInAFrameIsRefused) {
   EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body><geom size=\"1\"/>\n<frame><joint "
                                   "name=\"j\"/></frame></body>\n")),
