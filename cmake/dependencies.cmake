@@ -9,6 +9,7 @@ pkg_check_modules(EIGEN3 REQUIRED IMPORTED_TARGET eigen3)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom tinyxml)
 
 # Ipopt's pkg-config adds /usr/include/coin; mark it as a system path so that its warnings stay out.

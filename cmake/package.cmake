@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_SIDESTEP-DEV_PACKAGE_SECTION libdevel)
 # The -dev packages of packages.txt that our headers include or our libraries link.
 set(CPACK_DEBIAN_SIDESTEP-DEV_PACKAGE_DEPENDS
     "sidestep (= ${PROJECT_VERSION}), pkg-config, libmujoco-dev, libosmesa6-dev, libeigen3-dev, \
-libassimp-dev, libmeshoptimizer-dev, coinor-libipopt-dev, libblas-dev, liblapack-dev, liburdfdom-dev, libyaml-cpp-dev, nlohmann-json3-dev")
+libassimp-dev, libmatio-dev, libmeshoptimizer-dev, coinor-libipopt-dev, libblas-dev, liblapack-dev, liburdfdom-dev, libyaml-cpp-dev, nlohmann-json3-dev")
 set(CPACK_COMPONENT_SIDESTEP_DESCRIPTION
     "Pushes simulated legged robots and tells whether they catch themselves: MuJoCo in the loop, an
 online centroidal MPC that moves the next footstep, videos without a display, plots and a verdict.")

@@ -84,6 +84,7 @@ int RunCommandLine(int argc, char** argv) {
   AddRenderCommand(app, exit_code);
   AddPlotCommand(app, exit_code);
   AddReportCommand(app, exit_code);
+  AddExportCommand(app, exit_code);
   AddFilmCommand(app, exit_code);
   AddScenariosCommand(app, exit_code);
   AddRobotsCommand(app, exit_code);

@@ -71,7 +71,8 @@ std::string ComparePage(const RunComparison& comparison, const std::string& firs
       "runs compared</h1>\n<p>A, solid: " +
       Escaped(first) + " " + Badge(comparison.first_verdict) +
       "</p>\n<p>B, dashed: " + Escaped(second) + " " + Badge(comparison.second_verdict) +
-      "</p>\n<p>" + Escaped(DivergenceText(comparison)) + "</p>\n</header>\n";
+      "</p>\n<p>" + Escaped(DivergenceText(comparison)) + "</p>\n<p>" +
+      Escaped(StatesText(comparison)) + "</p>\n</header>\n";
   if (!plots.empty()) page += "<h3>Both in the same axes</h3>\n<div class=\"plots\">\n";
   for (std::size_t i = 0; i < plots.size(); ++i) {
     page += "<figure>" +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 #include <map>
 
@@ -49,6 +50,38 @@ std::vector<SharedColumn> SharedColumns(const CsvTable& first, const CsvTable& s
     shared.push_back({a[i], i, static_cast<std::size_t>(there - b.begin())});
   }
   return shared;
+}
+
+bool IsSame(double first, double second) { return std::memcmp(&first, &second, sizeof first) == 0; }
+
+// Bit for bit: a NaN is the same as itself, 0 is not -0. Both of one size.
+template <typename Vector>
+bool IsSame(const Vector& first, const Vector& second) {
+  const auto bytes = static_cast<std::size_t>(first.size()) * sizeof(double);
+  return std::memcmp(first.data(), second.data(), bytes) == 0;
+}
+
+// Of two logs of the same coordinates and feet; empty if the rows are the same.
+std::string FirstDifference(const StateRow& a, const StateRow& b,
+                            const std::vector<std::string>& feet) {
+  if (!IsSame(a.time_s, b.time_s)) return "time_s";
+  if (!IsSame(a.qpos, b.qpos)) return "qpos";
+  if (!IsSame(a.push_force_W, b.push_force_W) || !IsSame(a.push_point_W, b.push_point_W)) {
+    return "push";
+  }
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    const FootRow &one = a.feet[i], &other = b.feet[i];
+    const bool is_same = IsSame(one.f_F_W, other.f_F_W) && IsSame(one.p_WF, other.p_WF) &&
+                         IsSame(one.nominal_p_WF, other.nominal_p_WF) &&
+                         IsSame(one.adjusted_p_WF, other.adjusted_p_WF);
+    if (!is_same) return feet[i];
+  }
+  return {};
+}
+
+std::string PartText(const Divergence& at) {
+  return "part at row " + std::to_string(at.row) + ", " + at.time_s + " s, " +
+         (at.column.empty() ? "where one ends" : "in " + at.column);
 }
 
 double NumberOfMetric(const MetricValue& value) {
@@ -106,6 +139,22 @@ std::optional<Divergence> CompareTrajectories(const CsvTable& first, const CsvTa
   return Divergence{rows, std::string(longer.Cell(rows, 0)), ""};
 }
 
+std::optional<Divergence> CompareStates(const StateLog& first, const StateLog& second) {
+  const auto at = [&](std::size_t row, const std::string& what) {
+    std::string time_s;
+    AppendNumber(time_s, (row < first.rows.size() ? first : second).rows[row].time_s);
+    return Divergence{row, time_s, what};
+  };
+  if (first.nq != second.nq || first.feet != second.feet) return at(0, "their robots");
+  const std::size_t rows = std::min(first.rows.size(), second.rows.size());
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::string what = FirstDifference(first.rows[row], second.rows[row], first.feet);
+    if (!what.empty()) return at(row, what);
+  }
+  if (first.rows.size() == second.rows.size()) return std::nullopt;
+  return at(rows, "");
+}
+
 RunComparison CompareRuns(const std::filesystem::path& first, const std::filesystem::path& second) {
   const RunSummary a = ReadSummary(first), b = ReadSummary(second);
   RunComparison comparison;
@@ -118,12 +167,18 @@ RunComparison CompareRuns(const std::filesystem::path& first, const std::filesys
     if (other == b.metrics.end()) continue;
     comparison.metrics.push_back({name, NumberOfMetric(value), NumberOfMetric(other->second)});
   }
-  constexpr const char* kTrajectory = "trajectory.csv";
-  comparison.has_trajectories =
-      std::filesystem::exists(first / kTrajectory) && std::filesystem::exists(second / kTrajectory);
-  if (comparison.has_trajectories) {
-    comparison.divergence = CompareTrajectories(CsvTable::Read(first / kTrajectory),
-                                                CsvTable::Read(second / kTrajectory));
+  const auto both_have = [&](const char* file) {
+    return std::filesystem::exists(first / file) && std::filesystem::exists(second / file);
+  };
+  comparison.first_log = a.log;
+  comparison.second_log = b.log;
+  comparison.has_trajectories = both_have("trajectory.csv");
+  if (comparison.has_trajectories && a.log == b.log) {
+    comparison.divergence = CompareTrajectories(ReadTrajectory(first), ReadTrajectory(second));
+  }
+  comparison.has_states = both_have("states.bin");
+  if (comparison.has_states) {
+    comparison.states_divergence = CompareStates(ReadStates(first), ReadStates(second));
   }
   return comparison;
 }
@@ -148,15 +203,27 @@ std::string RunComparisonText(const RunComparison& comparison) {
   }
   text += "metrics: " + std::to_string(comparison.metrics.size() - same) + " differ, " +
           std::to_string(same) + " are the same\n" + lines;
-  return text + DivergenceText(comparison) + "\n";
+  text += DivergenceText(comparison) + "\n";
+  return comparison.has_states ? text + StatesText(comparison) + "\n" : text;
 }
 
 std::string DivergenceText(const RunComparison& comparison) {
   if (!comparison.has_trajectories) return "trajectories: not both are there";
-  if (!comparison.divergence) return "trajectories: the same";
-  const Divergence& at = *comparison.divergence;
-  return "trajectories: part at row " + std::to_string(at.row) + ", " + at.time_s + " s, " +
-         (at.column.empty() ? "where one ends" : "in " + at.column);
+  if (comparison.first_log != comparison.second_log) {
+    return "trajectories: not compared, for one log is " +
+           std::string(EnumName(comparison.first_log)) + " and the other " +
+           std::string(EnumName(comparison.second_log));
+  }
+  if (comparison.divergence) return "trajectories: " + PartText(*comparison.divergence);
+  const bool is_rounded = comparison.first_log == LogDetail::kNormal;
+  return is_rounded ? "trajectories: the same in the rows and digits of their logs"
+                    : "trajectories: the same";
+}
+
+std::string StatesText(const RunComparison& comparison) {
+  if (!comparison.has_states) return {};
+  if (!comparison.states_divergence) return "states: the same bit for bit";
+  return "states: " + PartText(*comparison.states_divergence);
 }
 
 }  // namespace sidestep

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/record/log_detail.h"
 #include "sim/record/run_reader.h"
 
 namespace sidestep {
@@ -38,7 +39,11 @@ struct RunComparison {
   std::vector<SettingDifference> settings;
   std::vector<MetricPair> metrics;
   bool has_trajectories{false};
-  std::optional<Divergence> divergence;  ///< None: they are the same.
+  LogDetail first_log{LogDetail::kFull};
+  LogDetail second_log{LogDetail::kFull};
+  std::optional<Divergence> divergence;  ///< None: they are the same, if their logs are comparable.
+  bool has_states{false};
+  std::optional<Divergence> states_divergence;  ///< None: they are the same, bit for bit.
 };
 
 /// Keys of two YAML texts whose values differ; dotted, numbers for lists.
@@ -48,11 +53,19 @@ std::vector<SettingDifference> CompareSettings(const std::string& first, const s
 /// clock on the wall (`wall_`).
 std::optional<Divergence> CompareTrajectories(const CsvTable& first, const CsvTable& second);
 
-/// Reads two runs' folders. @throws ConfigError if a summary or scenario can't be read.
+/// The first row of two states.bin that differs in any bit, and in what: time_s, qpos, push, a
+/// foot, or their robots, which have not the same coordinates and feet.
+std::optional<Divergence> CompareStates(const StateLog& first, const StateLog& second);
+
+/// Reads two runs' folders. Rows of trajectory.csv are compared only of logs of the same detail.
+/// @throws ConfigError if a summary or scenario can't be read.
 RunComparison CompareRuns(const std::filesystem::path& first, const std::filesystem::path& second);
 
 /// Where the trajectories part, in words.
 std::string DivergenceText(const RunComparison& comparison);
+
+/// Where the states part, in words; empty if not both runs have any.
+std::string StatesText(const RunComparison& comparison);
 
 /// For a terminal: verdicts, settings, metrics that differ with their changes, where they part.
 std::string RunComparisonText(const RunComparison& comparison);

@@ -21,7 +21,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options,
                       const ControllerFactory& make_controller) {
   const ClockReading start = ClockReading::Now();
   Episode episode = StartEpisode(scenario, make_controller);
-  Recorder recorder(scenario, *episode.world, options.out_dir, options.command);
+  Recorder recorder(scenario, *episode.world, options.out_dir, options.command, options.log);
   ProblemDump dump(options.out_dir, options.dump_every_problem);
   const auto finish = [&] {
     const StageTime whole = ClockReading::Now().Since(start);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/episode/run_episode.h"
+#include "sim/record/log_detail.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/verdict.h"
 
@@ -27,6 +28,7 @@ struct RunOptions {
   std::vector<std::string> command;  ///< The program's arguments, for summary.json.
   bool dump_every_problem{false};    ///< Not only failed MPC problems; see ProblemDump.
   EpisodeProgress progress;          ///< May be empty.
+  LogDetail log{LogDetail::kFull};   ///< What is kept of its ticks.
   /// Told once the run is judged, before the last files are written, which may fail. May be empty.
   std::function<void(const RunResult& result)> on_verdict{};
 };

@@ -146,7 +146,7 @@ void ReadStepsInto(const std::vector<Footstep>& footsteps, double run_start_s, P
 
 PlottedRun ReadPlottedRun(const std::filesystem::path& run_dir) {
   PlottedRun run{ReadSummary(run_dir),
-                 CsvTable::Read(run_dir / "trajectory.csv"),
+                 ReadTrajectory(run_dir),
                  ReadFootsteps(run_dir),
                  CsvTable::Read(run_dir / "mpc.csv"),
                  {}};

@@ -142,6 +142,7 @@ RunSummary MakeSummary(const Scenario& scenario, const RunOutcome& outcome, cons
   }
   summary.scenario_hash = HashText(ResolvedYaml(scenario));
   if (scenario.plant == Plant::kMujoco) summary.model_hash = HashText(SimulatedMjcf(scenario));
+  summary.log = facts.log;
   summary.simulated_s = facts.simulated_s;
   summary.wall_s = facts.took.wall_s;
   summary.cpu_s = facts.took.cpu_s;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/record/log_detail.h"
 #include "sim/record/run_summary.h"
 #include "sim/record/tick_times.h"
 #include "sim/scenario/scenario.h"
@@ -24,6 +25,7 @@ struct RunFacts {
   std::vector<std::string> command;
   std::vector<StageTime> solves;      ///< One a solve of the MPC.
   std::vector<StageTime> whole_body;  ///< One a run of the whole-body control.
+  LogDetail log{LogDetail::kFull};
   double simulated_s{0.0};
   RunTime took;
 };

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/record/recorder.h"
 
+#include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "models/support/config_error.h"
 #include "sim/record/footsteps_csv.h"
 #include "sim/record/make_summary.h"
 #include "sim/record/output_file.h"
 #include "sim/record/run_files.h"
-#include "sim/record/states_row.h"
-#include "sim/record/trajectory_table.h"
+#include "sim/record/tick_files.h"
 #include "sim/scenario/write_scenario.h"
 
 namespace sidestep {
@@ -29,12 +30,19 @@ std::vector<std::string> FootNames(const Scenario& scenario) {
   return names;
 }
 
-std::filesystem::path MakeFolder(const std::filesystem::path& run_dir) {
+std::filesystem::path MakeFolder(const std::filesystem::path& run_dir, LogDetail detail) {
   std::error_code error;
   std::filesystem::create_directories(run_dir, error);
   if (error) throw ConfigError(run_dir.string() + ": error: can't be created");
-  ListRunFiles(run_dir, {"scenario.yaml", "trajectory.csv", "states.bin", "mpc.csv",
-                         "footsteps.csv", "summary.json"});
+  std::vector<std::string> names{"scenario.yaml", "mpc.csv", "footsteps.csv", "summary.json"};
+  for (const char* name : TickFiles::kNames) {
+    if (detail == LogDetail::kNone) {
+      std::filesystem::remove(run_dir / name, error);  // of an older run: not of this one
+    } else {
+      names.emplace_back(name);
+    }
+  }
+  ListRunFiles(run_dir, names);
   return run_dir;
 }
 
@@ -62,33 +70,26 @@ void AppendMpcRow(double time_s, const MpcReport& mpc, const StageTime& took, st
 
 struct Recorder::State {
   State(const Scenario& scenario_of_run, const World& world, const std::filesystem::path& folder,
-        std::vector<std::string> command)
+        std::vector<std::string> command, LogDetail detail)
       : scenario(scenario_of_run),
-        run_dir(MakeFolder(folder)),
+        run_dir(MakeFolder(folder, detail)),
         feet(FootNames(scenario)),
-        table(scenario.robot, scenario.plant, scenario.control.mode, world.joints()),
-        trajectory(run_dir / "trajectory.csv"),
-        states(run_dir / "states.bin"),
         mpc(run_dir / "mpc.csv") {
     facts.command = std::move(command);
+    facts.log = detail;
     WriteWholeAtStart();
-    const double tick_s = scenario.world.step_s;
-    const double dt_s = SecondsAt(TickAt(1.0 / scenario.control.rate_hz, tick_s), tick_s);
-    trajectory.Append(table.Header());
-    states.Append(StatesHeader(feet, static_cast<int>(world.truth().qpos.size()), dt_s));
     mpc.Append(kMpcHeader);
+    if (detail != LogDetail::kNone) ticks.emplace(scenario, world, run_dir, detail);
   }
 
   // Begins in another folder with all that `start` holds.
   State(const State& start, const std::filesystem::path& folder)
       : scenario(start.scenario),
-        run_dir(MakeFolder(folder)),
+        run_dir(MakeFolder(folder, start.facts.log)),
         feet(start.feet),
-        table(start.table),
-        trajectory(run_dir / "trajectory.csv", start.trajectory),
-        states(run_dir / "states.bin", start.states),
         mpc(run_dir / "mpc.csv", start.mpc),
         facts(start.facts) {
+    if (start.ticks) ticks.emplace(*start.ticks, run_dir);
     WriteWholeAtStart();
   }
 
@@ -107,24 +108,24 @@ struct Recorder::State {
   void FlushOnceDue(double time_s) {
     if (time_s < flush_due_s) return;
     flush_due_s = time_s + kFlushPeriod_s;
-    for (OutputFile* file : {&trajectory, &states, &mpc}) file->Flush();
+    mpc.Flush();
+    if (ticks) ticks->Flush();
   }
 
   Scenario scenario;
   std::filesystem::path run_dir;
   std::vector<std::string> feet;
-  TrajectoryTable table;
-  OutputFile trajectory;
-  OutputFile states;
   OutputFile mpc;
+  std::optional<TickFiles> ticks;  // none if the log has none
   RunFacts facts;
   std::string row;  // kept for its memory
   double flush_due_s{0.0};
 };
 
 Recorder::Recorder(const Scenario& scenario, const World& world,
-                   const std::filesystem::path& run_dir, std::vector<std::string> command)
-    : state_(std::make_unique<State>(scenario, world, run_dir, std::move(command))) {}
+                   const std::filesystem::path& run_dir, std::vector<std::string> command,
+                   LogDetail detail)
+    : state_(std::make_unique<State>(scenario, world, run_dir, std::move(command), detail)) {}
 
 Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
@@ -139,14 +140,7 @@ void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& contro
                    const TickTimes& times) {
   State& state = *state_;
   const double time_s = SecondsAt(tick, state.scenario.world.step_s);
-  state.row.clear();
-  state.table.AppendRow({time_s, truth, control, times}, state.row);
-  state.trajectory.Append(state.row);
-
-  state.row.clear();
-  AppendStatesRow(time_s, truth, control, state.row);
-  state.states.Append(state.row);
-
+  if (state.ticks) state.ticks->Add({time_s, truth, control, times});
   if (times.whole_body.wall_ms > 0.0) state.facts.whole_body.push_back(times.whole_body);
   if (control.mpc.ran) {
     state.row.clear();
@@ -159,8 +153,7 @@ void Recorder::Add(Tick tick, const WorldTruth& truth, const ControlTick& contro
 
 void Recorder::Finish(const RunOutcome& outcome, double simulated_s, const RunTime& took) {
   State& state = *state_;
-  state.trajectory.Close();
-  state.states.Close();
+  if (state.ticks) state.ticks->Close();
   state.mpc.Close();
   state.facts.simulated_s = simulated_s;
   state.facts.took = took;

@@ -5,7 +5,9 @@
 // In : truth and ControlTick of every control tick, then the outcome.
 // Out: scenario.yaml, trajectory.csv, states.bin, mpc.csv as it goes; footsteps.csv and
 //      summary.json at the end. run_reader.h and run_summary.h read them back.
-// A run that is cut short leaves whole rows; summary.json appears complete or not at all.
+// LogDetail tells how many rows trajectory.csv keeps and to which digit, or that neither it nor
+// states.bin is written. A run that is cut short leaves whole rows; summary.json appears complete
+// or not at all.
 
 #include <filesystem>
 #include <memory>
@@ -14,6 +16,7 @@
 
 #include "controller/types/control_tick.h"
 #include "controller/types/tick.h"
+#include "sim/record/log_detail.h"
 #include "sim/record/tick_times.h"
 #include "sim/scenario/scenario.h"
 #include "sim/verdict/verdict.h"
@@ -24,10 +27,11 @@ namespace sidestep {
 class Recorder {
  public:
   /// Creates `run_dir` if need be and opens its files, over older ones; removes an older summary.
-  /// @param command  The program's arguments, for the summary.
+  /// @param command  The program's arguments, for the summary. @param detail  What is kept of
+  /// ticks.
   /// @throws ConfigError if a file can't be written, here and in every other member.
   Recorder(const Scenario& scenario, const World& world, const std::filesystem::path& run_dir,
-           std::vector<std::string> command);
+           std::vector<std::string> command, LogDetail detail = LogDetail::kFull);
   ~Recorder();
 
   /// A second recorder that stands where this one does: its folder holds every row that was added

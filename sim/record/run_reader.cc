@@ -13,6 +13,7 @@
 
 #include "models/support/config_error.h"
 #include "models/support/json_text.h"
+#include "sim/record/log_detail.h"
 
 namespace sidestep {
 namespace {
@@ -106,6 +107,7 @@ StateRow ParseStateRow(const std::vector<double>& numbers, int nq, std::size_t n
 
 StateLog ReadStates(const std::filesystem::path& run_dir) {
   const std::filesystem::path file = run_dir / "states.bin";
+  RequireTicksFile(run_dir, "states.bin");
   std::ifstream in(file, std::ios::binary);
   if (!in) Fail(file, "can't be read");
   StateLog log = ReadStatesHeader(file, in);
@@ -121,6 +123,11 @@ StateLog ReadStates(const std::filesystem::path& run_dir) {
   }
   if (log.rows.empty()) Fail(file, "holds no state");
   return log;
+}
+
+CsvTable ReadTrajectory(const std::filesystem::path& run_dir) {
+  RequireTicksFile(run_dir, "trajectory.csv");
+  return CsvTable::Read(run_dir / "trajectory.csv");
 }
 
 std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir) {

@@ -101,8 +101,12 @@ class CsvTable {
 
 /// Reads `run_dir/states.bin`.
 /// @throws ConfigError if it is missing, not of version 1, its header contradicts itself, or it
-///         holds not one whole row.
+///         holds not one whole row; if the run recorded none, how to get it.
 StateLog ReadStates(const std::filesystem::path& run_dir);
+
+/// Reads `run_dir/trajectory.csv`, of whatever detail. @throws ConfigError as CsvTable::Read, and
+/// as ReadStates if the run recorded none.
+CsvTable ReadTrajectory(const std::filesystem::path& run_dir);
 
 /// Reads `run_dir/footsteps.csv`, in order of start. @throws ConfigError as CsvTable::Read.
 std::vector<Footstep> ReadFootsteps(const std::filesystem::path& run_dir);

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/record/log_detail.h"
 #include "sim/verdict/verdict.h"
 
 namespace sidestep {
@@ -189,6 +190,7 @@ struct RunSummary {
   std::vector<std::string> overrides;  ///< The command line's `--set a.b=c` and `--push TEXT`.
   std::string scenario_hash;           ///< HashText() of the resolved scenario.
   std::string model_hash;  ///< Of the MJCF that MuJoCo compiled; empty of the centroidal plant.
+  LogDetail log{LogDetail::kFull};  ///< What it kept of its ticks; older programs kept all.
   double simulated_s{kNotTold};
   double wall_s{kNotTold};
   double cpu_s{kNotTold};                 ///< Of the processor.
@@ -216,6 +218,7 @@ struct RunSummary {
     visit("overrides", self.overrides, kAddedLater);
     visit("scenario_hash", self.scenario_hash, kAddedLater);
     visit("model_hash", self.model_hash, kAddedLater);
+    visit("log", self.log, kAddedLater);
     visit("simulated_s", self.simulated_s);
     visit("wall_s", self.wall_s);
     visit("cpu_s", self.cpu_s, kAddedLater);

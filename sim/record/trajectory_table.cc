@@ -3,27 +3,32 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "models/support/require.h"
+#include "sim/record/column_digits.h"
 #include "sim/record/output_file.h"
 #include "sim/verdict/fall_meter.h"
 
 namespace sidestep {
 
-/// A line under way: of names (the header) or of values.
+/// A walk under way: over the names of the columns, or over the values of a row.
 class TrajectoryTable::Line {
  public:
-  Line(std::string& text, bool is_header) : text_(text), is_header_(is_header) {}
+  explicit Line(std::vector<std::string>& names) : names_(&names) {}
+  /// @param decimals  Of every column; empty: all digits.
+  Line(std::string& row, const std::vector<int>& decimals) : text_(&row), decimals_(&decimals) {}
 
   void Number(std::string_view stem, std::string_view name, std::string_view unit, double value,
               bool is_known = true) {
-    Separate();
-    if (is_header_) {
-      text_.append(stem).append(name).append(unit);
-    } else if (is_known) {
-      AppendNumber(text_, value);
+    if (names_ != nullptr) {
+      names_->emplace_back(stem).append(name).append(unit);
+    } else {
+      AppendCell(value, is_known);
     }
   }
 
@@ -31,12 +36,11 @@ class TrajectoryTable::Line {
               const Eigen::Vector3d& value, bool is_known = true) {
     constexpr std::array<std::string_view, 3> kAxes{"_x", "_y", "_z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!is_header_) {
-        Number({}, {}, {}, value[static_cast<Eigen::Index>(axis)], is_known);
-        continue;
+      if (names_ != nullptr) {
+        names_->emplace_back(stem).append(name).append(kAxes[axis]).append(unit);
+      } else {
+        AppendCell(value[static_cast<Eigen::Index>(axis)], is_known);
       }
-      Separate();
-      text_.append(stem).append(name).append(kAxes[axis]).append(unit);
     }
   }
 
@@ -53,17 +57,22 @@ class TrajectoryTable::Line {
     Number(stem, name, {}, value ? 1.0 : 0.0, is_known);
   }
 
-  void End() { text_.push_back('\n'); }
-
  private:
-  void Separate() {
-    if (has_cell_) text_.push_back(',');
-    has_cell_ = true;
+  void AppendCell(double value, bool is_known) {
+    const std::size_t column = cells_++;
+    if (column > 0) text_->push_back(',');
+    if (!is_known) return;
+    if (column > 0 && !decimals_->empty()) {  // the first is the time
+      AppendRounded(*text_, value, (*decimals_)[column]);
+    } else {
+      AppendNumber(*text_, value);
+    }
   }
 
-  std::string& text_;
-  bool is_header_;
-  bool has_cell_{false};
+  std::vector<std::string>* names_{nullptr};  ///< Null: values are walked over.
+  std::string* text_{nullptr};
+  const std::vector<int>* decimals_{nullptr};
+  std::size_t cells_{0};  ///< So far.
 };
 
 namespace {
@@ -76,31 +85,40 @@ double Entry(const Eigen::VectorXd& vector, std::size_t at) {
 }  // namespace
 
 TrajectoryTable::TrajectoryTable(const RobotDescription& robot, Plant plant, ControlMode mode,
-                                 std::vector<JointInfo> joints)
+                                 std::vector<JointInfo> joints, LogDetail detail)
     : joints_(std::move(joints)),
       has_references_(mode == ControlMode::kPosition),
       up_B_(UprightAxis(robot, plant)) {
   for (const FootDescription& foot : robot.feet) feet_.push_back(foot.name);
+  if (detail == LogDetail::kFull) return;
+  for (const std::string& column : Columns()) decimals_.push_back(DecimalsOf(column));
 }
 
 std::string TrajectoryTable::Header() const {
+  std::string text;
+  for (const std::string& column : Columns()) text.append(text.empty() ? "" : ",").append(column);
+  return text + "\n";
+}
+
+std::vector<std::string> TrajectoryTable::Columns() const {
   WorldTruth truth;
   truth.feet.resize(feet_.size());
   truth.joint_position.setZero(static_cast<Eigen::Index>(joints_.size()));
   truth.joint_torque_Nm = truth.joint_position;
   const ControlTick control;
-  std::string text;
-  Line line(text, true);
+  std::vector<std::string> names;
+  Line line(names);
   Walk({0.0, truth, control, {}}, line);
-  return text;
+  return names;
 }
 
 void TrajectoryTable::AppendRow(const TrajectoryRow& row, std::string& text) const {
   SIDESTEP_REQUIRE(row.truth.feet.size() == feet_.size(), row.truth.feet.size());
   SIDESTEP_REQUIRE(row.truth.joint_position.size() == static_cast<Eigen::Index>(joints_.size()),
                    row.truth.joint_position.size());
-  Line line(text, false);
+  Line line(text, decimals_);
   Walk(row, line);
+  text.push_back('\n');
 }
 
 void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
@@ -116,7 +134,6 @@ void TrajectoryTable::Walk(const TrajectoryRow& row, Line& line) const {
   line.Number("wall_control_ms", {}, {}, row.times.control.wall_ms);
   line.Number("wall_whole_body_ms", {}, {}, row.times.whole_body.wall_ms);
   line.Number("wall_mpc_ms", {}, {}, row.times.mpc.wall_ms);
-  line.End();
 }
 
 void TrajectoryTable::WalkJoints(const TrajectoryRow& row, Line& line) const {

@@ -6,12 +6,16 @@
 // What a controller does not say is an empty cell: without feet in its state it believes nothing,
 // without feet among its targets it plans nothing (and its plan has no age); without either it
 // tells nothing of its whole body.
+//
+// A table of full detail writes every number with the fewest digits that read back as the same
+// double, one of normal detail to its column's resolution; time_s is never rounded.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "controller/types/control_tick.h"
+#include "sim/record/log_detail.h"
 #include "sim/record/tick_times.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
@@ -31,9 +35,9 @@ struct TrajectoryRow {
 class TrajectoryTable {
  public:
   /// @param robot  The nominal one. @param mode  Whose commands are told. @param joints  Of the
-  /// plant.
+  /// plant. @param detail  How its numbers are written.
   TrajectoryTable(const RobotDescription& robot, Plant plant, ControlMode mode,
-                  std::vector<JointInfo> joints);
+                  std::vector<JointInfo> joints, LogDetail detail = LogDetail::kFull);
 
   /// The first line, with its end.
   std::string Header() const;
@@ -43,6 +47,7 @@ class TrajectoryTable {
 
  private:
   class Line;
+  std::vector<std::string> Columns() const;
   /// Every column in order, which is the file's. The others are its parts.
   void Walk(const TrajectoryRow& row, Line& line) const;
   void WalkTruth(const WorldTruth& truth, Line& line) const;
@@ -52,8 +57,9 @@ class TrajectoryTable {
 
   std::vector<std::string> feet_;  ///< Names.
   std::vector<JointInfo> joints_;
-  bool has_references_;   ///< Commands are references of servos.
-  Eigen::Vector3d up_B_;  ///< Of B's upright.
+  bool has_references_;        ///< Commands are references of servos.
+  Eigen::Vector3d up_B_;       ///< Of B's upright.
+  std::vector<int> decimals_;  ///< Of each column; empty: all digits.
 };
 
 }  // namespace sidestep

@@ -240,6 +240,9 @@ std::string RunSection(const RunEvidence& run, std::size_t index) {
     html += "</ul>\n";
   }
   html += "</header>\n";
+  if (run.summary.log == LogDetail::kNone) {
+    html += "<p>Recorded with <code>--log none</code>: no plots and no film.</p>\n";
+  }
   if (!run.video.empty()) {
     html += "<video controls loop muted playsinline src=\"data:video/mp4;base64," +
             Base64(run.video) + "\"></video>\n";

@@ -15,15 +15,17 @@ std::filesystem::path KeptRunFolder(const std::filesystem::path& sweep_folder,
   return sweep_folder / "runs" / name;
 }
 
-void KeepRun(Keep keep, CellOutcome outcome, const Scenario& scenario,
+void KeepRun(const KeepOptions& options, CellOutcome outcome, const Scenario& scenario,
              const std::filesystem::path& folder) {
+  const Keep keep = options.keep;
   const bool is_failure = outcome != CellOutcome::kRecovered;
   if (keep == Keep::kNone || (keep == Keep::kFailures && !is_failure)) return;
-  RunOptions options;
-  options.out_dir = folder;
-  RunScenario(scenario, options);
+  RunOptions run;
+  run.out_dir = folder;
+  run.log = keep == Keep::kSummary ? LogDetail::kNone : options.log;
+  RunScenario(scenario, run);
   if (keep != Keep::kSummary) return;
-  for (const char* file : {"trajectory.csv", "mpc.csv", "states.bin", "footsteps.csv"}) {
+  for (const char* file : {"mpc.csv", "footsteps.csv"}) {
     std::filesystem::remove(folder / file);
   }
   std::filesystem::remove_all(folder / "problems");

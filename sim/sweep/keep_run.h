@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "controller/types/field.h"
+#include "sim/record/log_detail.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sweep/rays.h"
 
@@ -33,8 +34,14 @@ struct EnumNames<Keep> {
 /// Where a cell's run is kept within a sweep's folder: runs/ray_R[_strength][_seed_N].
 std::filesystem::path KeptRunFolder(const std::filesystem::path& sweep_folder, const CellKey& cell);
 
-/// Keeps what `keep` asks of a cell that came out as `outcome`.
-void KeepRun(Keep keep, CellOutcome outcome, const Scenario& scenario,
+/// What is kept, and of a run folder how much of its ticks.
+struct KeepOptions {
+  Keep keep{Keep::kNone};
+  LogDetail log{LogDetail::kNormal};
+};
+
+/// Keeps what `options` ask of a cell that came out as `outcome`.
+void KeepRun(const KeepOptions& options, CellOutcome outcome, const Scenario& scenario,
              const std::filesystem::path& folder);
 
 }  // namespace sidestep

@@ -19,7 +19,7 @@ struct ShardOptions {
   int jobs{1};  ///< Processes at once.
   /// No ray is started that would not end by then, going by the longest so far (s).
   double time_budget_s{std::numeric_limits<double>::infinity()};
-  Keep keep{Keep::kNone};
+  KeepOptions keep;
 };
 
 /// What a shard has come to.

@@ -30,7 +30,7 @@ struct WorkerSetup {
   const SweepPlan* plan;
   const CellRows* rows;  ///< Those that need not be run again.
   std::filesystem::path folder;
-  Keep keep{Keep::kNone};
+  KeepOptions keep;
 };
 
 /// A worker as its parent has it.

@@ -129,7 +129,8 @@ TEST(ExitCodeTest, HelpAndVersionAreZeroAndGoToStdout) {
 TEST(StandardStreamTest, NoneThatIsClosedTouchesARun) {
   const ScratchFolder folder;
   const std::string run = std::string(SIDESTEP_BINARY) + " run " +
-                          folder.Write("s.yaml", kStanding).string() + " --no-video --no-plots -o ";
+                          folder.Write("s.yaml", kStanding).string() +
+                          " --log full --no-video --no-plots -o ";
   const fs::path whole = folder.path() / "whole";
   ASSERT_EQ(RunProcess({"bash", "-c", run + whole.string()}).exit_code, 0);
   int count = 0;
@@ -181,6 +182,41 @@ TEST(OutputFolderTest, ForceReplacesARunAndNothingElse) {
   EXPECT_EQ(RunOf(file, out, {"--force"}).exit_code, 0);
   EXPECT_EQ(TextOf(out / "notes.txt"), "mine");
   EXPECT_FALSE(fs::exists(out / "video.mp4")) << "a video of another run";
+}
+
+TEST(LogOptionTest, NormalIsWhatARunKeepsUnlessToldOtherwise) {
+  const ScratchFolder folder;
+  const fs::path file = folder.Write("s.yaml", kStanding);
+  ASSERT_EQ(RunOf(file, folder.path() / "run").exit_code, 0);
+  EXPECT_EQ(SummaryOf(folder.path() / "run")["log"], "normal");
+  ExpectMistake({"run", file, "--log", "some"}, "--log");
+}
+
+TEST(LogOptionTest, WithoutTicksNothingIsDrawnAndThatIsSaid) {
+  const ScratchFolder folder;
+  const fs::path file = folder.Write("s.yaml", kStanding);
+  const fs::path out = folder.path() / "out";
+  const ProcessResult run = Sidestep({"run", file, "--log", "none", "-q", "-o", out});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("no plots, no video: --log none"), std::string::npos) << run.out;
+  EXPECT_TRUE(fs::exists(out / "report.html"));
+  const std::string how = "recorded with --log none; run it again with --log normal\n";
+  ExpectMistake({"plot", out}, how);
+  ExpectMistake({"render", out, "-q"}, how);
+  const ProcessResult report = Sidestep({"report", out});
+  EXPECT_EQ(report.exit_code, 0);
+  EXPECT_EQ(std::count(report.err.begin(), report.err.end(), '\n'), 1) << report.err;
+}
+
+TEST(LogOptionTest, DrawingWithoutTicksIsAMistakeWhereItIsAskedFor) {
+  const ScratchFolder folder;
+  const fs::path file = folder.Write("s.yaml", kStanding);
+  const fs::path out = folder.path() / "out";
+  ExpectMistake({"run", file, "--log", "none", "--plots", "always", "-o", out}, "--plots always");
+  ExpectMistake({"check", file, "--log", "none", "--video", "-o", out}, "--video");
+  EXPECT_FALSE(fs::exists(out));
+  const ProcessResult check = Sidestep({"check", file, "--log", "none", "-q", "-o", out});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
 }
 
 TEST(ResolvedScenarioTest, RunsAgainAsItIsToTheSameStates) {

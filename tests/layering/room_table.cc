@@ -85,10 +85,11 @@ std::vector<Room> SimRooms() {
                                    "sim/report/report_style.h"}},
       {"sim/compare", kTools + Folders{"sim/plot", "sim/report/html.h", "sim/report/inline_svg.h",
                                        "sim/report/report_style.h"}},
+      {"sim/export", kTools},
       {"sim/apps/commands",
        kTools + Folders{"controller/mpc", "controller/mpc/problem", "sim/episode", "sim/render",
                         "sim/plot", "sim/report", "sim/check", "sim/limit", "sim/sweep", "sim/map",
-                        "sim/compare", "models/import"},
+                        "sim/compare", "sim/export", "models/import"},
        true},
       {"sim/apps", kSupport + Folders{"sim/process/interrupt.h", "sim/apps/commands"}, true},
       // A program of a user's own, beside ours.

@@ -10,11 +10,17 @@ old="$(cd "$1" && pwd)" new="$(cd "$2" && pwd)"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
+# Logs of every tick and digit; programs from before --log write no others.
+full_log() {  # full_log <program>
+  if "$1" run --help | grep -q -e --log; then echo "--log full"; fi
+}
+
 runs() {  # runs <tree> <folder>
+  local program="$1/build/release/sim/apps/sidestep"
   find "$1/scenarios" -maxdepth 1 -name '*.yaml' -print0 |
     OMP_NUM_THREADS=1 SIDESTEP_DATA_DIR="$1" xargs -0 -P "$(nproc)" -I{} \
-    sh -c '"$1" run "$3" --no-video --no-plots --quiet --out "$2/$(basename "$3" .yaml)" >/dev/null 2>&1 || true' \
-    sh "$1/build/release/sim/apps/sidestep" "$2" {}
+    sh -c '"$1" run "$4" $3 --no-video --no-plots --quiet --out "$2/$(basename "$4" .yaml)" >/dev/null 2>&1 || true' \
+    sh "$program" "$2" "$(full_log "$program")" {}
 }
 runs "$old" "$work/old"
 runs "$new" "$work/new"

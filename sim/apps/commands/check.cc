@@ -44,6 +44,8 @@ struct CheckArguments {
   bool is_forced{false};
   bool has_video{false};
   std::string plots{"failed"};  ///< always, failed, never.
+  bool has_asked_plots{false};  ///< On the command line, rather than by default.
+  LogDetail log{LogDetail::kNormal};
   bool is_quiet{false};
   int jobs{1};
   std::vector<std::string> overrides;
@@ -99,7 +101,10 @@ CheckPlan PlanOf(const CheckArguments& arguments, std::vector<CheckItem> items) 
     // A run that dies must not leave an older one's files.
     [[maybe_unused]] const OutFolderLock lock = PrepareOutFolder(run_dir, may_replace);
   };
-  plan.arguments = {"--jobs", "1", "--plots", arguments.plots};
+  const bool has_ticks = arguments.log != LogDetail::kNone;
+  plan.arguments = {"--jobs",  "1",
+                    "--log",   std::string(EnumName(arguments.log)),
+                    "--plots", has_ticks ? arguments.plots : "never"};
   if (!arguments.has_video) plan.arguments.push_back("--no-video");
   const std::vector<std::string> overrides = OverrideWords(arguments.overrides);
   plan.arguments.insert(plan.arguments.end(), overrides.begin(), overrides.end());
@@ -148,7 +153,17 @@ void CheckReportFiles(const CheckArguments& arguments, const std::vector<CheckIt
   }
 }
 
+// A log without ticks has nothing to draw.
+void CheckWhatIsDrawn(const CheckArguments& arguments) {
+  if (arguments.log != LogDetail::kNone) return;
+  if (!arguments.has_video && !arguments.has_asked_plots) return;
+  throw ConfigError("check: error: --log none keeps no ticks, " +
+                    (arguments.has_video ? "--video" : "--plots " + arguments.plots) +
+                    " can't draw them; leave one of the two out");
+}
+
 int Check(const CheckArguments& arguments) {
+  CheckWhatIsDrawn(arguments);
   std::vector<CheckItem> items;
   if (!PlanItems(arguments, &items)) return kExitBadInput;
   if (items.empty()) {
@@ -224,10 +239,13 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--force", arguments->is_forced, "Replace runs that lie in the --out folder");
   command->add_flag("--video", arguments->has_video, "Also draw the videos");
   AddPlotsOption(*command, "Runs to plot: always, failed, never", arguments->plots);
+  const CLI::Option* plots = command->get_option("--plots");
+  AddLogOption(*command, arguments->log);
   command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
   AddOverrideOptions(*command, arguments->overrides);
-  command->callback([arguments, out, &exit_code] {
+  command->callback([arguments, out, plots, &exit_code] {
     arguments->has_out_dir = out->count() > 0;
+    arguments->has_asked_plots = plots->count() > 0 && arguments->plots != "never";
     exit_code = Check(*arguments);
   });
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/record/log_detail.h"
+
 namespace sidestep {
 
 /// `run SCENARIO`: simulates, then draws the plots and the video and writes the report.
@@ -32,6 +34,9 @@ void AddValidateCommand(CLI::App& app, int& exit_code);
 void AddRenderCommand(CLI::App& app, int& exit_code);
 void AddPlotCommand(CLI::App& app, int& exit_code);
 void AddReportCommand(CLI::App& app, int& exit_code);
+
+/// `export RUN_DIR -o FILE`: its trajectory for MATLAB and other programs' viewers.
+void AddExportCommand(CLI::App& app, int& exit_code);
 
 /// `film RUN_A RUN_B`: two runs side by side.
 void AddFilmCommand(CLI::App& app, int& exit_code);
@@ -73,6 +78,10 @@ void PrintNote(const std::string& note);
 
 /// Adds --plots always|failed|never, with `help`, and --no-plots; both go to `plots`.
 void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plots);
+
+/// Adds --log full|normal|none, how much of its ticks a run keeps; it goes to `detail`, whose value
+/// now is the default.
+void AddLogOption(CLI::App& command, LogDetail& detail);
 
 /// The program's name, version and git commit, in one line.
 std::string VersionText();

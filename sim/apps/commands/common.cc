@@ -59,6 +59,17 @@ void AddPlotsOption(CLI::App& command, const std::string& help, std::string& plo
       ->excludes(option);
 }
 
+void AddLogOption(CLI::App& command, LogDetail& detail) {
+  command
+      .add_option_function<std::string>(
+          "--log", [&detail](const std::string& name) { detail = *EnumOfName<LogDetail>(name); },
+          "Ticks that a run keeps: full (all, to the last digit), normal (every second one, "
+          "rounded "
+          "by unit), none (no trajectory.csv, no states.bin)")
+      ->check(CLI::IsMember({"full", "normal", "none"}))
+      ->default_str(std::string(EnumName(detail)));
+}
+
 CLI::Validator TimeInRun() {
   return {[](std::string& text) {
             double time_s = 0.0;

@@ -16,7 +16,12 @@ struct ReportArguments {
 };
 
 int Report(const ReportArguments& arguments) {
-  for (const auto& run_dir : arguments.run_dirs) RequireRunFolder(run_dir);
+  for (const auto& run_dir : arguments.run_dirs) {
+    RequireRunFolder(run_dir);
+    if (!RecordsNoTicks(run_dir)) continue;
+    PrintNote("note: " + run_dir.string() +
+              ": recorded with --log none: no plots and no film; run it again with --log normal");
+  }
   const bool is_single = arguments.run_dirs.size() == 1;
   std::filesystem::path out = arguments.out;
   if (out.empty()) out = is_single ? arguments.run_dirs[0] / "report.html" : "report.html";

@@ -31,6 +31,8 @@ struct RunArguments {
   bool is_quiet{false};
   bool no_video{false};
   std::string plots{"always"};  ///< always, failed, never.
+  bool has_asked_plots{false};  ///< On the command line, rather than by default.
+  LogDetail log{LogDetail::kNormal};
   bool dump_mpc{false};
   int jobs{1};
   std::vector<std::string> overrides;
@@ -43,6 +45,7 @@ void Simulate(const Scenario& scenario, const fs::path& out_dir, const RunArgume
   options.out_dir = out_dir;
   options.command = CommandWords();
   options.dump_every_problem = arguments.dump_mpc;
+  options.log = arguments.log;
   options.progress = [&](double sim_time_s, double duration_s) {
     char detail[64];
     std::snprintf(detail, sizeof detail, "%.1f of %.1f s simulated", sim_time_s, duration_s);
@@ -100,10 +103,15 @@ void DrawStep(const char* label, const fs::path& made, const std::function<void(
 // Plots, video, report; each only reads what the run left.
 void Draw(const Scenario& scenario, const fs::path& run_dir, bool has_passed,
           const RunArguments& arguments) {
+  const bool has_ticks = arguments.log != LogDetail::kNone;
   const bool has_plots =
       arguments.plots == "always" || (arguments.plots == "failed" && !has_passed);
-  if (has_plots) DrawStep("plots", run_dir / "plots", [&] { PlotRun(run_dir); });
-  if (!arguments.no_video && scenario.video.enabled) {
+  const bool has_video = !arguments.no_video && scenario.video.enabled;
+  if (!has_ticks && (has_plots || has_video)) {
+    std::printf("  no plots, no video: --log none keeps no ticks to draw\n");
+  }
+  if (has_ticks && has_plots) DrawStep("plots", run_dir / "plots", [&] { PlotRun(run_dir); });
+  if (has_ticks && has_video) {
     DrawStep("video", run_dir / "video.mp4", [&] {
       Progress progress("video", arguments.is_quiet);
       RenderOptions options = RenderOptionsOf(run_dir);
@@ -117,6 +125,10 @@ void Draw(const Scenario& scenario, const fs::path& run_dir, bool has_passed,
 }
 
 int Run(const RunArguments& arguments) {
+  if (arguments.log == LogDetail::kNone && arguments.has_asked_plots) {
+    throw ConfigError("run: error: --log none keeps no ticks, --plots " + arguments.plots +
+                      " can't draw them; leave one of the two out");
+  }
   const Scenario scenario =
       ReadScenario(FindScenario(arguments.scenario), arguments.overrides, PrintNote);
   const fs::path out_dir =
@@ -143,6 +155,8 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--force", arguments->is_forced, "Replace the run that lies in the folder");
   command->add_flag("--no-video", arguments->no_video, "Draw no video");
   AddPlotsOption(*command, "When to draw plots: always, failed, never", arguments->plots);
+  const CLI::Option* plots = command->get_option("--plots");
+  AddLogOption(*command, arguments->log);
   command->add_flag("--dump-mpc", arguments->dump_mpc,
                     "Write every MPC problem as JSON into DIR/problems, not only failed ones");
   command->add_option("-j,--jobs", arguments->jobs, "Processes that draw the video")
@@ -150,7 +164,10 @@ void AddRunCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("-q,--quiet", arguments->is_quiet, "No progress");
   AddOverrideOptions(*command, arguments->overrides);
-  command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
+  command->callback([arguments, plots, &exit_code] {
+    arguments->has_asked_plots = plots->count() > 0 && arguments->plots != "never";
+    exit_code = Run(*arguments);
+  });
 }
 
 }  // namespace sidestep

@@ -81,7 +81,7 @@ int Sweep(SweepArguments arguments) {
   if (arguments.target.empty()) {
     throw ConfigError("sweep: error: SWEEP is missing, a sweep file or a scenario (see --help)");
   }
-  arguments.shard.keep = KeepOf(arguments.keep);
+  arguments.shard.keep.keep = KeepOf(arguments.keep);
   const SweepSpec spec = ReadTarget(arguments);
   const fs::path folder = FolderOf(arguments, spec);
   const SweepPlan plan = PlanIn(folder, spec, arguments.is_quiet);
@@ -102,7 +102,7 @@ int Plan(const SweepArguments& arguments) {
 
 // Falls are results: only INVALID runs and an interruption make it exit with 3.
 int RunPlanned(SweepArguments arguments) {
-  arguments.shard.keep = KeepOf(arguments.keep);
+  arguments.shard.keep.keep = KeepOf(arguments.keep);
   if (!arguments.shard_text.empty()) {
     const ShardName name = ParseShard(arguments.shard_text, std::getenv);
     arguments.shard.shard = name.shard;

@@ -39,6 +39,7 @@ void AddSweepRunOptions(CLI::App& command, SweepArguments& arguments) {
       .add_option("--keep", arguments.keep,
                   "Runs that leave a folder: none, failures, summary (its summary only), all")
       ->capture_default_str();
+  AddLogOption(command, arguments.shard.keep.log);
   command
       .add_option("--time-budget", arguments.shard.time_budget_s,
                   "Start no ray that would not end within so many seconds")

@@ -36,7 +36,7 @@ void AddSweepSpecOptions(CLI::App& command, SweepArguments& arguments);
 /// --evidence: how many of a map's worst cells are shown (map/evidence.h).
 void AddEvidenceOption(CLI::App& command, int& evidence);
 
-/// --jobs, --keep and --time-budget.
+/// --jobs, --keep, --log and --time-budget.
 void AddSweepRunOptions(CLI::App& command, SweepArguments& arguments);
 
 }  // namespace sidestep

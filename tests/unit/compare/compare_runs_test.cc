@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -41,6 +42,55 @@ TEST(CompareRunsTest, TrajectoriesPartAtTheFirstDigit) {
   EXPECT_FALSE(PartOf(base, "time_s,y_m,x_m\n0,9,1\n0.001,9,2\n"))
       << "columns are found by their names";
   EXPECT_FALSE(PartOf(base, "time_s,x_m\n0,1\n0.001,2\n0.0")) << "a row cut short is none";
+}
+
+StateLog TwoRows() {
+  StateLog log;
+  log.nq = 1;
+  log.feet = {"left"};
+  const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
+  for (const double time_s : {0.0, 0.002}) {
+    log.rows.push_back({time_s, Eigen::VectorXd::Ones(1), ones, ones, {{ones, ones, ones, ones}}});
+  }
+  return log;
+}
+
+TEST(CompareRunsTest, StatesPartAtTheFirstBit) {
+  EXPECT_FALSE(CompareStates(TwoRows(), TwoRows()));
+  StateLog other = TwoRows();
+  other.rows[1].qpos[0] = std::nextafter(1.0, 2.0);
+  const auto bit = CompareStates(TwoRows(), other);
+  ASSERT_TRUE(bit);
+  EXPECT_EQ(bit->row, 1U);
+  EXPECT_EQ(bit->time_s, "0.002");
+  EXPECT_EQ(bit->column, "qpos");
+  other = TwoRows();
+  other.rows[0].feet[0].adjusted_p_WF.z() = 2.0;
+  EXPECT_EQ(CompareStates(TwoRows(), other)->column, "left");
+  other = TwoRows();
+  other.rows[0].push_point_W.x() = 2.0;
+  EXPECT_EQ(CompareStates(TwoRows(), other)->column, "push");
+  other = TwoRows();
+  other.rows.pop_back();
+  EXPECT_EQ(CompareStates(TwoRows(), other)->column, "") << "one ends";
+  EXPECT_EQ(CompareStates(other, TwoRows())->time_s, "0.002");
+  other = TwoRows();
+  other.feet = {"right"};
+  EXPECT_EQ(CompareStates(TwoRows(), other)->column, "their robots");
+}
+
+TEST(CompareRunsTest, RowsOfLogsOfAnotherDetailAreNotCompared) {
+  RunComparison comparison;
+  comparison.has_trajectories = comparison.has_states = true;
+  comparison.second_log = LogDetail::kNormal;
+  EXPECT_EQ(DivergenceText(comparison),
+            "trajectories: not compared, for one log is full and the other normal");
+  EXPECT_EQ(StatesText(comparison), "states: the same bit for bit");
+  comparison.first_log = LogDetail::kNormal;
+  EXPECT_EQ(DivergenceText(comparison),
+            "trajectories: the same in the rows and digits of their logs");
+  comparison.states_divergence = Divergence{3, "0.006", "qpos"};
+  EXPECT_EQ(StatesText(comparison), "states: part at row 3, 0.006 s, in qpos");
 }
 
 TEST(CompareRunsTest, TextHasChangesOfWhatDiffers) {
