@@ -25,9 +25,9 @@ struct RunFacts {
   std::vector<std::string> command;
   std::vector<StageTime> solves;      ///< One a solve of the MPC.
   std::vector<StageTime> whole_body;  ///< One a run of the whole-body control.
-  LogDetail log{LogDetail::kFull};
   double simulated_s{0.0};
   RunTime took;
+  LogDetail log{LogDetail::kFull};
 };
 
 /// The summary of a run of `scenario`.
