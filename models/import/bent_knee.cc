@@ -21,7 +21,7 @@ struct Sweep {
   double change_m{0.0};
 };
 
-Sweep SweepJoint(const SourceRobot& robot, const Limb& leg, int index, Posture posture) {
+Sweep SweepJoint(const SourceRobot& robot, const Limb& leg, int ankle, int index, Posture posture) {
   const SourceJoint& joint = robot.joints[static_cast<std::size_t>(index)];
   const double lower = LowerEnd(joint) + MarginOf(joint), upper = UpperEnd(joint) - MarginOf(joint);
   Sweep sweep;
@@ -31,7 +31,7 @@ Sweep SweepJoint(const SourceRobot& robot, const Limb& leg, int index, Posture p
     sweep.q.push_back(lower + (upper - lower) * i / kSamples);
     posture.q[index] = sweep.q.back();
     const Placement placement(robot, posture);
-    sweep.leg.emplace_back(placement.X_WJ(leg.joints.back()).translation() -
+    sweep.leg.emplace_back(placement.X_WL(ankle).translation() -
                            placement.X_WJ(leg.joints.front()).translation());
     const double length_m = sweep.leg.back().norm();
     least_m = std::min(least_m, length_m);
@@ -53,10 +53,11 @@ int BendingSide(const Sweep& sweep) {
 
 }  // namespace
 
-double BendKnee(const SourceRobot& robot, const Limb& leg, double stretch, Posture* posture) {
+double BendKnee(const SourceRobot& robot, const Limb& leg, int ankle, double stretch,
+                Posture* posture) {
   Sweep knee;
   for (const int joint : leg.joints) {
-    Sweep sweep = SweepJoint(robot, leg, joint, *posture);
+    Sweep sweep = SweepJoint(robot, leg, ankle, joint, *posture);
     if (sweep.change_m > knee.change_m) knee = std::move(sweep);
   }
   if (knee.joint < 0) return 0.0;

@@ -96,10 +96,11 @@ class PlanFinder : private Branches {
 
   Limb Leg(int end) {
     Limb leg{Chain(plan_.pelvis, end), end};
-    if (leg.joints.size() < kLegJoints) {
+    if (leg.joints.size() < kLegJoints && leg.joints.size() != kPointLegJoints) {
       Fail("the leg that ends in '" + Name(end) + "' has " + std::to_string(leg.joints.size()) +
            " joints (" + NamesOf(leg.joints) +
-           "): a sole that is to stay flat wherever the pelvis goes needs six");
+           "): a sole that is to stay flat wherever the pelvis goes needs six, a foot that is a "
+           "point needs three");
     }
     if (leg.joints.size() > kLegJoints) {
       const std::vector<int> toes(leg.joints.begin() + kLegJoints, leg.joints.end());

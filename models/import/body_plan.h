@@ -14,8 +14,9 @@
 
 namespace sidestep::importer {
 
-inline constexpr std::size_t kLegJoints = 6;     ///< What a sole on the ground needs.
-inline constexpr std::size_t kMaxArmJoints = 4;  ///< Shoulder and elbow; the wrist is locked.
+inline constexpr std::size_t kLegJoints = 6;       ///< What a sole on the ground needs.
+inline constexpr std::size_t kPointLegJoints = 3;  ///< What a point on the ground needs.
+inline constexpr std::size_t kMaxArmJoints = 4;    ///< Shoulder and elbow; the wrist is locked.
 
 /// A chain of joints that move, from the trunk outwards.
 struct Limb {
@@ -35,12 +36,14 @@ struct BodyPlan {
   double facing_rad{0.0};
 
   bool has_arms() const { return !arms[0].joints.empty(); }
+  /// Whether each leg can put a point where it likes, and no sole.
+  bool stands_on_points() const { return legs[0].joints.size() == kPointLegJoints; }
   /// In the order of the actuators: left leg, right leg, torso, left arm, right arm.
   std::vector<int> Actuated() const;
 };
 
 /// Finds the plan. Throws ConfigError, naming `file`, with the reason where there is none: no two
-/// legs, fewer than six joints in a leg.
+/// legs, or neither six joints in a leg nor three.
 BodyPlan FindBodyPlan(const SourceRobot& robot, const std::string& file, Notes* notes);
 
 }  // namespace sidestep::importer

@@ -11,6 +11,7 @@ namespace sidestep::importer {
 
 /// Of the scenarios that are written.
 struct Gait {
+  bool stands{true};  ///< Else it must step from the start on.
   double omega_radps{0.0};
   double step_length_m{0.0};
   double step_width_m{0.0};
@@ -20,7 +21,8 @@ struct Gait {
   double landing_speed_mps{0.0};
 };
 
-Gait ChooseGait(const StartPose& start);
+/// @param on_points  Whether the feet are points, on which a robot can't stand still.
+Gait ChooseGait(const StartPose& start, bool on_points);
 
 /// Of robot.yaml's `control`. Momentum and force are divided by the mass in the MPC, so that its
 /// weights depend on the height alone.
@@ -35,5 +37,8 @@ struct ControlFigures {
 };
 
 ControlFigures ChooseControl(double mass_kg, double com_height_m);
+
+/// The same of a robot on points, by the figures of Bolt (1.25 kg, CoM 0.35 m high).
+ControlFigures ChoosePointControl(double mass_kg, double com_height_m);
 
 }  // namespace sidestep::importer

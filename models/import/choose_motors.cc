@@ -25,7 +25,7 @@ constexpr Ratios kArms{"arms", 0.83, 0.021, 6.25e-5, 0.00105, 0.15, 2.0};
 
 constexpr double kMostEffort = 4.0;           // over m g h; no motor of a humanoid has more
 constexpr double kMostVelocity_radps = 60.0;  // likewise: 570 turns a minute after the gear
-constexpr double kVelocity_radps = 12.0;      // of shipped robots' legs: 8 to 12
+constexpr double kVelocity = 3.5;             // over omega; shipped robots' legs have 8 to 12 rad/s
 
 constexpr double kStep_s = 1e-3;          // of the physics that robots run in
 constexpr double kStableShare = 0.5;      // of the damping that an explicit step bears
@@ -33,8 +33,11 @@ constexpr double kStableStiffness = 1.5;  // of armature / step^2, of which 4 is
 
 class MotorChooser {
  public:
-  MotorChooser(double gravity_Nm, SourceRobot* robot)
-      : gravity_Nm_(gravity_Nm), robot_(*robot), tells_rotors_(TellsRotors(*robot)) {}
+  MotorChooser(double gravity_Nm, double omega_radps, SourceRobot* robot)
+      : gravity_Nm_(gravity_Nm),
+        omega_radps_(omega_radps),
+        robot_(*robot),
+        tells_rotors_(TellsRotors(*robot)) {}
 
   /// Whether the servos of the source carry the robot on these joints.
   void JudgeServos(const std::vector<int>& joints) {
@@ -122,7 +125,7 @@ class MotorChooser {
     }
     if (joint->velocity_radps <= 0.0 || joint->velocity_radps > kMostVelocity_radps) {
       const double was = joint->velocity_radps;
-      joint->velocity_radps = kVelocity_radps;
+      joint->velocity_radps = Rounded(kVelocity * omega_radps_, 2);
       AddNote("velocity was " + Figure(was) + ": chosen", joint);
       velocities_.push_back(joint->name);
     }
@@ -144,6 +147,7 @@ class MotorChooser {
   }
 
   double gravity_Nm_;
+  double omega_radps_;
   SourceRobot& robot_;
   bool tells_rotors_;
   bool has_servos_{false};
@@ -154,9 +158,9 @@ class MotorChooser {
 
 }  // namespace
 
-std::vector<MotorGroup> ChooseMotors(const BodyPlan& plan, double gravity_Nm, SourceRobot* robot,
-                                     Notes* notes) {
-  MotorChooser chooser(gravity_Nm, robot);
+std::vector<MotorGroup> ChooseMotors(const BodyPlan& plan, double gravity_Nm, double omega_radps,
+                                     SourceRobot* robot, Notes* notes) {
+  MotorChooser chooser(gravity_Nm, omega_radps, robot);
   std::vector<int> legs, arms;
   for (const Limb& leg : plan.legs) legs.insert(legs.end(), leg.joints.begin(), leg.joints.end());
   for (const Limb& arm : plan.arms) arms.insert(arms.end(), arm.joints.begin(), arm.joints.end());

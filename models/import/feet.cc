@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "models/import/fit_shapes.h"
+#include "models/import/foot_points.h"
+#include "models/import/point_feet.h"
 #include "models/import/posture.h"
 #include "models/import/text.h"
 #include "models/support/config_error.h"
@@ -21,8 +23,6 @@ constexpr double kUnlevel_rad = 0.002;
 constexpr double kSameHeight_m = 5e-4;  // of a frame and the sole that it is of
 constexpr double kNearMiddle = 0.2;     // of a sole's length and width, from its middle
 
-using Shapes = std::vector<SourceShape> SourceLink::*;
-
 class FootMaker {
  public:
   FootMaker(const BodyPlan& plan, std::string file, MeshFiles* meshes, SourceRobot* robot,
@@ -34,13 +34,17 @@ class FootMaker {
     Foot foot = Fit(link);
     const std::string word = side == 0 ? "left" : "right";
     if (foot.sole.length_m < kLeastLength_m || foot.sole.width_m < kLeastWidth_m) {
-      throw ConfigError(file_ + ": error: the " + word + " foot '" + Link(link).name +
-                        "' has no flat sole (" + Figure(1e3 * foot.sole.length_m, 2) + " mm x " +
-                        Figure(1e3 * foot.sole.width_m, 2) + " mm in its " + foot.found_in +
-                        "): it can't stand on points or edges; give it a <collision> box");
+      throw ConfigError(
+          file_ + ": error: the " + word + " foot '" + Link(link).name + "' has no flat sole (" +
+          Figure(1e3 * foot.sole.length_m, 2) + " mm x " + Figure(1e3 * foot.sole.width_m, 2) +
+          " mm in its " + foot.found_in +
+          "): a leg of six joints can't stand on points or edges; give it a <collision> box");
     }
     ReplaceMeshes(link, foot.sole);
-    foot.frame = OwnFrame(link, foot.sole);
+    foot.frame = MakersFrameAt(
+        robot_, link, foot.sole.X_FS,
+        {kNearMiddle * foot.sole.length_m, kNearMiddle * foot.sole.width_m, kSameHeight_m},
+        &notes_);
     if (foot.frame < 0) {
       foot.frame = AddFrame(
           UnusedName(robot_, word + "_sole"), link, foot.sole.X_FS,
@@ -65,25 +69,6 @@ class FootMaker {
     return robot_.joints[static_cast<std::size_t>(joint)];
   }
 
-  /// The maker's frame of the sole: fixed to the foot, without mass or shape, as level as the sole,
-  /// at its height and near its middle. -1 where there is none.
-  int OwnFrame(int foot, const Sole& sole) {
-    for (const int joint : robot_.joints_below[static_cast<std::size_t>(foot)]) {
-      const SourceJoint& below = robot_.joints[static_cast<std::size_t>(joint)];
-      const SourceLink& link = Link(below.child);
-      if (below.is_moving() || link.has_mass() || !link.collisions.empty()) continue;
-      const Eigen::Isometry3d X_SL = sole.X_FS.inverse() * below.X_PC;
-      const Eigen::Vector3d p_m = X_SL.translation().cwiseAbs();
-      const bool is_near = p_m.x() <= kNearMiddle * sole.length_m &&
-                           p_m.y() <= kNearMiddle * sole.width_m && p_m.z() <= kSameHeight_m;
-      if (is_near && Eigen::AngleAxisd(X_SL.linear()).angle() <= kUnlevel_rad) {
-        notes_.push_back("took '" + link.name + "' for the frame of its sole");
-        return below.child;
-      }
-    }
-    return -1;
-  }
-
   /// The sole in the foot's frame F.
   Eigen::Isometry3d X_FrameSole(const Foot& foot) const {
     return JointAbove(foot.frame).X_PC.inverse() * foot.sole.X_FS;
@@ -95,7 +80,7 @@ class FootMaker {
     for (const auto& [shapes, name] :
          {std::pair<Shapes, const char*>{&SourceLink::collisions, "collision shapes"},
           std::pair<Shapes, const char*>{&SourceLink::visuals, "visual shapes"}}) {
-      const Sole sole = FitTo(link, Points(link, shapes));
+      const Sole sole = FitTo(link, FootPoints(robot_, link, shapes, &meshes_));
       if (sole.length_m * sole.width_m <= foot.sole.length_m * foot.sole.width_m) continue;
       foot.sole = sole;
       foot.found_in = name;
@@ -119,35 +104,6 @@ class FootMaker {
     const Eigen::Matrix3d R_FW = zero.X_WL(link).linear().transpose();
     const Eigen::Vector3d forward(std::cos(plan_.facing_rad), std::sin(plan_.facing_rad), 0.0);
     return FitSole(points, R_FW * forward, R_FW * Eigen::Vector3d::UnitZ());
-  }
-
-  /// Of the foot and all that it carries, in the frame of `foot`.
-  std::vector<SurfacePoint> Points(int foot, Shapes shapes) {
-    const Placement zero(robot_, ZeroPosture(robot_));
-    std::vector<SurfacePoint> points;
-    for (const int link : Subtree(robot_, foot)) {
-      const Eigen::Isometry3d X_FL = zero.X_WL(foot).inverse() * zero.X_WL(link);
-      for (const SourceShape& shape : Link(link).*shapes) AddPoints(shape, X_FL, &points);
-    }
-    return points;
-  }
-
-  /// Of a cylinder longer than wide, which is a capsule here, the two balls at its ends.
-  void AddPoints(const SourceShape& shape, const Eigen::Isometry3d& X_FL,
-                 std::vector<SurfacePoint>* points) {
-    const double radius_m = shape.size_m.x();
-    const double straight_m = 0.5 * shape.size_m.y() - radius_m;
-    if (shape.kind == ShapeKind::kCylinder && straight_m > 0.0) {
-      for (const double z : {-straight_m, straight_m}) {
-        points->push_back({X_FL * (shape.X_LS * Eigen::Vector3d(0.0, 0.0, z)), radius_m});
-      }
-      return;
-    }
-    const std::shared_ptr<const Mesh> mesh =
-        shape.kind == ShapeKind::kMesh ? meshes_.Find(shape) : nullptr;
-    for (const Eigen::Vector3d& p : SurfaceOf(shape, mesh.get())) {
-      points->push_back({X_FL * p, shape.kind == ShapeKind::kSphere ? radius_m : 0.0});
-    }
   }
 
   /// A foot's meshes, and a foot without a shape, become one box above the sole.
@@ -193,6 +149,7 @@ class FootMaker {
 
 std::array<Foot, 2> MakeFeet(const BodyPlan& plan, const std::string& file, MeshFiles* meshes,
                              SourceRobot* robot, Notes* notes) {
+  if (plan.stands_on_points()) return MakePointFeet(plan, file, meshes, robot, notes);
   FootMaker maker(plan, file, meshes, robot, notes);
   Foot left = maker.Make(0);
   return {left, maker.Make(1)};

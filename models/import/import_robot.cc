@@ -52,11 +52,11 @@ class Import {
                         : ReadSource(options_.source, &report_.done);
     it_.source = options_.source.filename().string();
     it_.name = options_.name.empty() ? PlainName(it_.robot.name) : options_.name;
-    it_.mode = options_.mode.empty() ? "position" : options_.mode;
     Problems problems(file_);
     CleanUp(&it_.robot, &problems, &report_.done);
     problems.ThrowIfAny();
     it_.plan = FindBodyPlan(it_.robot, file_, &report_.done);
+    ChooseMode();
     RefuseCouplings(it_.robot.couplings, it_.plan.Actuated());
     it_.feet = MakeFeet(it_.plan, file_, &meshes_, &it_.robot, &report_.done);
     ReplaceCollisionMeshes(&meshes_, &it_.robot, &report_.done);
@@ -71,6 +71,17 @@ class Import {
 
  private:
   const SourceLink& Link(int link) const { return it_.robot.links[static_cast<std::size_t>(link)]; }
+
+  /// Servos hold a robot on its soles; on points only torques let it fall as a pendulum does.
+  void ChooseMode() {
+    const bool on_points = it_.plan.stands_on_points();
+    it_.mode = !options_.mode.empty() ? options_.mode : on_points ? "torque" : "position";
+    if (on_points && it_.mode != "torque") {
+      throw ConfigError(file_ +
+                        ": error: its legs have three joints each, so it stands on points: "
+                        "that works with --mode torque alone");
+    }
+  }
 
   /// An IMU where the maker has a frame for one on the trunk, and a torso frame that faces forward.
   void AddTrunkFrames() {
@@ -110,8 +121,13 @@ class Import {
 
   void FindStart() {
     StartPoseTask task;
-    for (std::size_t side = 0; side < 2; ++side) task.sole_frames[side] = it_.feet[side].frame;
-    task.least_width_m = kFeetApart_m + 0.5 * (it_.feet[0].sole.width_m + it_.feet[1].sole.width_m);
+    task.least_width_m = kFeetApart_m;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Foot& foot = it_.feet[side];
+      task.sole_frames[side] = foot.frame;
+      task.sole_heights_m[side] = foot.ball_radius_m;
+      task.least_width_m += 0.5 * foot.sole.width_m + foot.ball_radius_m;
+    }
     std::size_t fewest_near = 0;
     for (const double spread_rad : kSpreads_rad) {
       task.arm_spread_rad = spread_rad;
@@ -148,9 +164,12 @@ class Import {
   void ChooseFigures() {
     it_.mass_kg = TotalMass_kg(it_.robot);
     const double gravity_Nm = it_.mass_kg * kEarth_mps2 * it_.start.com_height_m;
-    it_.motors = ChooseMotors(it_.plan, gravity_Nm, &it_.robot, &report_.done);
-    it_.gait = ChooseGait(it_.start);
-    it_.control = ChooseControl(it_.mass_kg, it_.start.com_height_m);
+    const bool on_points = it_.plan.stands_on_points();
+    it_.gait = ChooseGait(it_.start, on_points);
+    it_.motors =
+        ChooseMotors(it_.plan, gravity_Nm, it_.gait.omega_radps, &it_.robot, &report_.done);
+    it_.control = on_points ? ChoosePointControl(it_.mass_kg, it_.start.com_height_m)
+                            : ChooseControl(it_.mass_kg, it_.start.com_height_m);
     for (std::size_t side = 0; side < 2; ++side) {
       if (!it_.feet[side].is_guessed) continue;
       report_.to_decide.push_back(
@@ -163,6 +182,7 @@ class Import {
                                   " has none; chosen to suit the servos");
     }
     report_.to_decide.push_back("force_torque: a sensor in each ankle is assumed");
+    if (on_points) return;
     for (std::string& note : WeakAnkles(it_.robot, it_.plan, it_.feet))
       report_.to_decide.push_back(std::move(note));
   }
@@ -193,11 +213,21 @@ class Import {
     found.push_back(std::to_string(it_.plan.locked.size()) + " joints are locked");
     for (std::size_t side = 0; side < 2; ++side) {
       const Foot& foot = it_.feet[side];
+      if (foot.ball_radius_m > 0.0) {
+        found.push_back(std::string(side == 0 ? "left" : "right") + " foot: a ball of " +
+                        Figure(1e3 * foot.ball_radius_m, 3) + " mm, from the " + foot.found_in);
+        continue;
+      }
       found.push_back(std::string(side == 0 ? "left" : "right") +
                       " sole: " + Figure(1e3 * foot.sole.length_m, 3) + " mm x " +
                       Figure(1e3 * foot.sole.width_m, 3) + " mm, from the " + foot.found_in);
     }
-    found.push_back("start: soles " + Figure(it_.start.step_width_m, 3) + " m apart, legs at " +
+    if (it_.plan.stands_on_points()) {
+      found.push_back(
+          "on points it can't stand still: its scenarios step from the start on, on torques");
+    }
+    found.push_back("start: " + std::string(it_.plan.stands_on_points() ? "feet " : "soles ") +
+                    Figure(it_.start.step_width_m, 3) + " m apart, legs at " +
                     Figure(100.0 * it_.start.stretch, 3) + " % of their length; '" +
                     it_.start.tightest_joint + "' is nearest to an end of its range, " +
                     Figure(it_.start.least_margin_rad, 2) + " rad");

@@ -15,8 +15,8 @@ struct StartPose {
   Posture posture;  ///< World: the middle between the soles at the origin, facing along x.
   double com_height_m{0.0};
   double step_width_m{0.0};      ///< Between the soles' middles.
-  double leg_length_m{0.0};      ///< Hip to ankle, stretched.
-  double stretch{0.0};           ///< Hip to ankle over leg_length_m.
+  double leg_length_m{0.0};      ///< Hip to ankle (or to a foot that is a point), stretched.
+  double stretch{0.0};           ///< The same at the start, over leg_length_m.
   double residual{0.0};          ///< Largest of all that was to be zero (m, rad).
   double least_margin_rad{0.0};  ///< Of the legs' joints to the ends of their ranges.
   std::string tightest_joint;    ///< Which has it.
@@ -25,14 +25,16 @@ struct StartPose {
 
 /// What the pose is made of.
 struct StartPoseTask {
-  std::array<int, 2> sole_frames{-1, -1};  ///< Links: left, right.
-  double least_width_m{0.0};               ///< The soles' middles are no nearer to each other.
-  double arm_spread_rad{0.15};             ///< How far the arms hang away from the body.
+  std::array<int, 2> sole_frames{-1, -1};          ///< Links: left, right.
+  std::array<double, 2> sole_heights_m{0.0, 0.0};  ///< Of these frames over the ground.
+  double least_width_m{0.0};    ///< The soles' middles are no nearer to each other.
+  double arm_spread_rad{0.15};  ///< How far the arms hang away from the body.
 };
 
 /// Fifteen equations for the legs' twelve joints and the root's place: both soles' poses (12), the
-/// CoM's place over their middle (2), how far the legs are stretched (1). The root keeps the
-/// attitude that it has at zero. Solved by damped Gauss-Newton within the joints' ranges, less a
+/// CoM's place over their middle (2), how far the legs are stretched (1); of six joints on points
+/// nine, as there both places (6) stand for the poses. The root keeps the attitude that it has at
+/// zero. Solved by damped Gauss-Newton within the joints' ranges, less a
 /// margin, from a bent knee; where that fails, for other widths and other bends.
 StartPose FindStartPose(const SourceRobot& robot, const BodyPlan& plan, const StartPoseTask& task);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "models/import/control_text.h"
 #include "models/import/text.h"
 #include "models/support/plain_word.h"
 
@@ -43,7 +44,7 @@ class YamlWriter {
     WriteJoints();
     WriteSensorsAndFeet();
     WriteSelfCollision();
-    WriteControl();
+    out_ << ControlText(it_);
     return out_.str();
   }
 
@@ -59,7 +60,9 @@ class YamlWriter {
 
   void WriteHome() {
     const Eigen::Isometry3d& X_WR = it_.start.posture.X_WR;
-    out_ << "# The start, solved: soles flat and " << Figure(it_.start.step_width_m, 3)
+    out_ << (it_.plan.stands_on_points() ? "# The start, solved: feet "
+                                         : "# The start, solved: soles flat and ")
+         << Figure(it_.start.step_width_m, 3)
          << " m apart, CoM over their middle, trunk as at zero, legs at "
          << Figure(100.0 * it_.start.stretch, 3) << " % of their length.\n"
          << "base_height_m: " << Figure(X_WR.translation().z(), kPoseDigits) << "\n";
@@ -117,6 +120,10 @@ class YamlWriter {
     for (std::size_t side = 0; side < 2; ++side) {
       const Foot& foot = it_.feet[side];
       if (foot.is_guessed) out_ << "# decide: this sole is a guess; measure the foot's.\n";
+      if (foot.ball_radius_m > 0.0) {
+        WritePointFoot(foot, side);
+        continue;
+      }
       out_ << "  - name: " << (side == 0 ? "left" : "right") << "  # sole of "
            << Figure(foot.sole.length_m, 3) << " m x " << Figure(foot.sole.width_m, 3)
            << " m, found in the " << foot.found_in
@@ -130,6 +137,14 @@ class YamlWriter {
     }
   }
 
+  void WritePointFoot(const Foot& foot, std::size_t side) {
+    out_ << "  - name: " << (side == 0 ? "left" : "right") << "  # a ball, found in the "
+         << foot.found_in << "\n    frame: " << YamlText(it_.Link(foot.frame))
+         << "\n    sole_height_m: " << Figure(foot.ball_radius_m, kPoseDigits)
+         << "\n    force_torque: [" << YamlText(it_.Link(foot.force_torque))
+         << "]\n    vertices_m: [[0, 0, 0]]\n";
+  }
+
   void WriteSelfCollision() {
     if (it_.self_collision.empty()) return;
     out_ << "\n# Links that can touch within their joints' ranges and don't at the start.\n"
@@ -137,62 +152,6 @@ class YamlWriter {
     for (const CollisionPairs& pairs : it_.self_collision) {
       out_ << "  - [" << List(pairs.first, "     ") << ", " << List(pairs.second, "     ") << "]\n";
     }
-  }
-
-  void WriteControl() {
-    const ControlFigures& c = it_.control;
-    out_ << "\n# Defaults of a scenario's `control`: those of generic_humanoid, scaled to "
-         << Figure(it_.mass_kg, 3) << " kg and " << Figure(it_.start.com_height_m, 3)
-         << " m.\ncontrol:\n  mode: " << it_.mode << R"(
-  rate_hz: 200
-  external_wrench: estimated
-  planner: {com_sway: 0.8, follow: capture_point, swing_speed_mps: 1.2, swing_acceleration_mps2: 30}
-  mpc:
-    rate_hz: 20
-    step_s: 0.05
-    knots: 30
-    friction: 0.33
-    box_lower_m: [-0.4, -0.02, 0.0]
-    box_upper_m: [0.4, 0.3, 0.0]
-    plan_memory_s: 0.2
-    external_wrench_hold_s: 0.5
-    foot_load_ratio: 1.5
-    weights:
-      com: [)"
-         << Figure(c.com_weight) << ", " << Figure(c.com_weight) << ", " << Figure(c.height_weight)
-         << "]\n      angular_momentum: [" << Figure(c.momentum_weight) << ", "
-         << Figure(c.momentum_weight) << ", " << Figure(c.momentum_weight) << R"(]
-      force_rate: [0.01, 0.01, 0.01]
-      leg_length: 1.0e+6
-      foot_load: 30
-  inverse_kinematics:
-    zmp_feedback_per_s: 1.0
-    foot_moment_compliance_radps_per_Nm: )"
-         << Figure(c.foot_moment_compliance_radps_per_Nm) << R"(
-    foot_load_compliance_mps_per_N: )"
-         << Figure(c.foot_load_compliance_mps_per_N) << R"(
-    swing_attitude_weight: 1.0
-  estimation:
-    contact_threshold_N: )"
-         << Figure(c.contact_threshold_N) << R"(
-    push_deadband_N: )"
-         << Figure(c.push_deadband_N) << R"(
-    accelerometer_noise_mps2: 1.0
-    foot_velocity_noise_mps: 0.02
-    push_cutoff_hz: 3.0
-
-# What changes where a scenario sets `mode: torque`.
-control_torque:
-  rate_hz: 500
-  planner:
-    sway: pendulum
-    timing: {error_m: 0.04}
-  mpc:
-    friction: 0.5
-    plan_memory_s: 0
-    external_wrench_hold_s: 0
-    external_wrench_decay_s: 0.1
-)";
   }
 
   const ImportedRobot& it_;

@@ -21,12 +21,19 @@ std::string Head(const ImportedRobot& imported, const std::string& what, const s
 
 std::string WalkText(const Gait& gait) {
   const std::string width = ", step_width_m: " + Figure(gait.step_width_m);
-  return "gait:\n  - {type: stand, start_s: 0.0" + width +
-         "}\n  - {type: walk, start_s: 1.0, step_length_m: " + Figure(gait.step_length_m) + width +
+  const std::string stand =
+      gait.stands ? "  - {type: stand, start_s: 0.0" + width + "}\n" : std::string();
+  return "gait:\n" + stand + "  - {type: walk, start_s: " + (gait.stands ? "1.0" : "0.0") +
+         ", step_length_m: " + Figure(gait.step_length_m) + width +
          ",\n     swing_s: " + Figure(gait.swing_s) +
          ", double_support_s: " + Figure(gait.double_support_s) +
          ", swing_height_m: " + Figure(gait.swing_height_m) +
          ", landing_speed_mps: " + Figure(gait.landing_speed_mps) + "}\n";
+}
+
+Gait InPlace(Gait gait) {
+  gait.step_length_m = 0.0;
+  return gait;
 }
 
 constexpr char kWorld[] = "world: {friction: 0.8}\nexpect:\n  fall: false\n";
@@ -37,9 +44,13 @@ std::map<std::string, std::string> ScenarioTexts(const ImportedRobot& imported) 
   const std::string& name = imported.name;
   const Gait& gait = imported.gait;
   std::map<std::string, std::string> texts;
-  texts[name + "_stand.yaml"] = Head(imported, "stand", "stands.", "10.0") +
-                                "gait: {type: stand, step_width_m: " + Figure(gait.step_width_m) +
-                                "}\n" + kWorld + "  max_slip_m: {max: 0.005}\n";
+  texts[name + "_stand.yaml"] =
+      gait.stands
+          ? Head(imported, "stand", "stands.", "10.0") +
+                "gait: {type: stand, step_width_m: " + Figure(gait.step_width_m) + "}\n" + kWorld +
+                "  max_slip_m: {max: 0.005}\n"
+          : Head(imported, "stand", "steps in place, as no robot stands still on points.", "10.0") +
+                WalkText(InPlace(gait)) + kWorld + "  max_slip_m: {max: 0.02}\n";
   texts[name + "_walk.yaml"] = Head(imported, "walk", "walks.", "10.0") + WalkText(gait) + kWorld +
                                "  max_slip_m: {max: 0.02}\n";
   texts[name + "_push.yaml"] =
@@ -53,7 +64,8 @@ std::map<std::string, std::string> ScenarioTexts(const ImportedRobot& imported) 
 
 std::map<std::string, std::string> ScenariosOf(const RobotDescription& robot) {
   if (!robot.model || robot.feet.size() != 2 || robot.joints.empty()) return {};
-  if (robot.base_freedom != BaseFreedom::kFree || robot.feet[0].vertices_m.cols() < 3) return {};
+  const bool on_points = robot.feet[0].vertices_m.cols() == 1;
+  if (robot.base_freedom != BaseFreedom::kFree || robot.feet[0].vertices_m.cols() == 2) return {};
   const HomePose home(robot);
   const RobotFigures figures = FiguresOf(robot);
   ImportedRobot stand_in;  // of what its scenarios are made from
@@ -66,7 +78,7 @@ std::map<std::string, std::string> ScenariosOf(const RobotDescription& robot) {
   start.step_width_m =
       (home.X_WO(robot.feet[0].frame).translation() - home.X_WO(robot.feet[1].frame).translation())
           .norm();
-  stand_in.gait = ChooseGait(start);
+  stand_in.gait = ChooseGait(start, on_points);
   return ScenarioTexts(stand_in);
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/episode/run_episode.h"
 #include "tests/support/maker_mjcf.h"
+#include "tests/support/maker_point_biped.h"
 #include "tests/support/maker_robot.h"
 #include "tests/support/run_files.h"
 #include "tests/support/sidestep_program.h"
@@ -55,6 +56,7 @@ MakerMjcf MjcfNamed(const std::string& name) {
 /// A URDF or an MJCF of the name.
 std::filesystem::path WriteNamed(const std::string& name, const std::filesystem::path& folder) {
   if (name.rfind("mjcf", 0) == 0) return WriteMakerMjcf(MjcfNamed(name), name, folder);
+  if (name == "points") return WriteMakerPointBiped({name}, folder);
   return WriteMakerRobot(Named(name), folder);
 }
 
@@ -98,7 +100,7 @@ TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) {
 
 INSTANTIATE_TEST_SUITE_P(Makers, Import,
                          testing::Values("meshes", "trunk", "spheres", "fingers", "mjcf_motors",
-                                         "mjcf_servos", "mjcf_generals"),
+                                         "mjcf_servos", "mjcf_generals", "points"),
                          [](const auto& maker) { return maker.param; });
 
 /// A scenario of the robot that ships and of the same from its export, with what a clock wrote left

@@ -94,7 +94,7 @@ TEST(BodyPlan, RefusesFiveJointsWithTheReason) {
   EXPECT_EQ(folder.ErrorOf([&] { PlanOf(SourceOf(maker)); }),
             "robot.urdf: error: the leg that ends in 'left_foot' has 5 joints (left_hip_yaw, "
             "left_hip_roll, left_hip_pitch, left_knee, left_ankle_pitch): a sole that is to stay "
-            "flat wherever the pelvis goes needs six");
+            "flat wherever the pelvis goes needs six, a foot that is a point needs three");
 }
 
 TEST(BodyPlan, RefusesArmsAsLegs) {

@@ -12,7 +12,7 @@ std::vector<MotorGroup> MotorsOf(const MakerRobot& maker, double gravity_Nm, Sou
   *robot = SourceOf(maker);
   Notes notes;
   const BodyPlan plan = FindBodyPlan(*robot, "robot.urdf", &notes);
-  return ChooseMotors(plan, gravity_Nm, robot, &notes);
+  return ChooseMotors(plan, gravity_Nm, 3.5, robot, &notes);
 }
 
 constexpr double kStep_s = 0.001;
@@ -54,7 +54,7 @@ TEST(ChooseMotors, ReplacesLimitsThatNoMotorHas) {
 std::vector<MotorGroup> MotorsOf(const MakerMjcf& maker, double gravity_Nm, Notes* notes) {
   SourceRobot robot = SourceOfMjcf(RobotMjcf(maker));
   const BodyPlan plan = FindBodyPlan(robot, "robot.xml", notes);
-  return ChooseMotors(plan, gravity_Nm, &robot, notes);
+  return ChooseMotors(plan, gravity_Nm, 3.5, &robot, notes);
 }
 
 TEST(ChooseMotors, KeepsTheRotorsOfAnMjcfAndDampsWhatTheyBear) {
@@ -88,7 +88,7 @@ TEST(ChooseMotors, JointsWithOtherFiguresAreGroupsOfTheirOwn) {
   SourceRobot robot = SourceOfMjcf(Edit(mjcf, knee, knee + " armature=\"0.09\""));
   Notes notes;
   const BodyPlan plan = FindBodyPlan(robot, "robot.xml", &notes);
-  const std::vector<MotorGroup> groups = ChooseMotors(plan, 400.0, &robot, &notes);
+  const std::vector<MotorGroup> groups = ChooseMotors(plan, 400.0, 3.5, &robot, &notes);
   ASSERT_EQ(groups.size(), 4U);
   EXPECT_EQ(groups[1].joints, std::vector<int>{JointCalled(robot, "left_knee")});
   EXPECT_EQ(groups[1].name, "legs");
@@ -100,7 +100,7 @@ TEST(ChooseGait, IsTheSameWalkAtEverySize) {
   big.leg_length_m = 0.7;
   small.com_height_m = 0.2;
   small.leg_length_m = 0.175;
-  const Gait wide = ChooseGait(big), narrow = ChooseGait(small);
+  const Gait wide = ChooseGait(big, false), narrow = ChooseGait(small, false);
   EXPECT_NEAR(wide.omega_radps * 2.0, narrow.omega_radps, 1e-9);
   EXPECT_NEAR(wide.step_length_m, 4.0 * narrow.step_length_m, 0.002);
   EXPECT_NEAR(wide.swing_s, 2.0 * narrow.swing_s, 0.05);  // whole knots

@@ -24,7 +24,7 @@ TEST(Feet, AMakersFrameOfTheSoleIsTaken) {
   SourceRobot robot = SourceOfMjcf(RobotMjcf(MakerMjcf()));
   const Foot foot = LeftFootOf(&robot, &notes);
   EXPECT_EQ(FrameOf(robot, foot), "left_sole");
-  EXPECT_TRUE(HasNote(notes, "took 'left_sole' for the frame of its sole"));
+  EXPECT_TRUE(HasNote(notes, "took 'left_sole' for the frame of its foot"));
   EXPECT_NEAR(foot.vertices_m.row(0).maxCoeff(), 0.11 - 0.005, 1e-9);
 }
 
