@@ -240,6 +240,7 @@ constexpr const char* kPass = R"({
   ],
   "scenario_hash": "0011223344556677",
   "model_hash": "",
+  "log": "full",
   "simulated_s": 2.0,
   "wall_s": 0.5,
   "cpu_s": 0.25,
