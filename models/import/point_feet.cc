@@ -21,7 +21,7 @@ constexpr double kOffMiddle_m = 5e-4;  // of a maker's frame and the ball that i
 constexpr double kFacets = 1.1;        // a round foot of a few corners looks narrower than it is
 constexpr double kShinShare = 0.75;    // radius of the shin's capsule in the ball's
 
-/// An axis across `up`.
+/// Two axes at right angles to each other and to `up`.
 Eigen::Matrix<double, 2, 3> Across(const Eigen::Vector3d& up) {
   const Eigen::Vector3d x = up.unitOrthogonal();
   Eigen::Matrix<double, 2, 3> axes;

@@ -81,6 +81,20 @@ class Import : public testing::TestWithParam<std::string> {
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   }
 
+  /// From four sides in four phases.
+  void ExpectPassOfSixteenPushes(const std::vector<std::string>& overrides = {}) {
+    for (const char* direction : {"0", "1.5708", "3.1416", "-1.5708"}) {
+      for (const char* phase : {"mid_swing", "swing_to_stance", "mid_stance", "stance_to_swing"}) {
+        SCOPED_TRACE(std::string(direction) + " rad at " + phase);
+        std::vector<std::string> all{"duration_s=8",
+                                     std::string("pushes.0.direction_rad=") + direction,
+                                     std::string("pushes.0.at_phase=") + phase};
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        ExpectPass("push", all);
+      }
+    }
+  }
+
   TempFolder folder_;
 };
 
@@ -88,27 +102,23 @@ TEST_P(Import, Stands) { ExpectPass("stand"); }
 
 TEST_P(Import, Walks) { ExpectPass("walk"); }
 
-TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) {
-  for (const char* direction : {"0", "1.5708", "3.1416", "-1.5708"}) {
-    for (const char* phase : {"mid_swing", "swing_to_stance", "mid_stance", "stance_to_swing"}) {
-      SCOPED_TRACE(std::string(direction) + " rad at " + phase);
-      ExpectPass("push", {"duration_s=8", std::string("pushes.0.direction_rad=") + direction,
-                          std::string("pushes.0.at_phase=") + phase});
-    }
-  }
-}
+TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) { ExpectPassOfSixteenPushes(); }
 
 INSTANTIATE_TEST_SUITE_P(Makers, Import,
                          testing::Values("meshes", "trunk", "spheres", "fingers", "mjcf_motors",
                                          "mjcf_servos", "mjcf_generals"),
                          [](const auto& maker) { return maker.param; });
 
-/// On points a robot is pushed with less to stand on: it falls at none of the sixteen pushes above,
-/// but has not recovered from two of them when their runs end.
+/// On points. It falls at none of the sixteen pushes; from two of them, sideways ones, it has not
+/// recovered by the end of the run, which is why that is asked of the shipped push alone.
 class PointImport : public Import {};
 
 TEST_P(PointImport, StepsInPlaceWalksAndCatchesAPush) {
   for (const char* what : {"stand", "walk", "push"}) ExpectPass(what);
+}
+
+TEST_P(PointImport, FallsAtNoPushFromFourSidesInFourPhases) {
+  ExpectPassOfSixteenPushes({"expect={fall: false}"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Makers, PointImport, testing::Values("points"),
