@@ -21,11 +21,11 @@ const char* PageStyles() {
   grid-template-columns: repeat(auto-fit, minmax(min(100%, max(300px,
   (100% - 48px) / var(--across))), 1fr)); }
 .polars figure { padding: 10px; }
-.polars svg { width: 100% !important; max-width: 420px; margin: 0 auto; }
+.polars svg { width: 100% !important; min-width: 0; max-width: 420px; margin: 0 auto; }
 .wide { margin-top: 16px; }
 .wide svg { max-width: none; }
 .legend { margin-top: 16px; }
-.legend svg { max-width: 100%; }
+.legend svg { min-width: 0; max-width: 100%; }
 svg a { cursor: pointer; }
 svg a:hover, svg a:focus { opacity: .75; outline: none; }
 h2 { margin-top: 34px; font-size: 1.25rem; }

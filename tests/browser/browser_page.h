@@ -14,6 +14,13 @@ namespace sidestep {
 
 enum class ColorScheme { kDark = 0, kLight = 1 };
 
+constexpr int kDesk_px = 1280;
+constexpr int kPhone_px = 500;  // the narrowest window that Chromium opens
+
+// WCAG 2: AA for text, and for large text and graphics.
+constexpr double kLegibleText = 4.5;
+constexpr double kLegiblePlot = 3.0;
+
 /// Opens a copy of `page` with `script` run at its end, which leaves its answer in
 /// `document.body.dataset.answer` as JSON; returns the answer.
 inline nlohmann::json AskPage(const std::filesystem::path& page, const std::string& script,
@@ -38,8 +45,9 @@ inline nlohmann::json AskPage(const std::filesystem::path& page, const std::stri
   return nlohmann::json::parse(answer);
 }
 
-/// Script: the WCAG 2 contrast of every text of the page, opened wholly; {count, page, plot}, where
-/// page and plot are the worst of each with its words.
+/// Script: the WCAG 2 contrast of every text of the page, opened wholly, with the tile of its
+/// picture that it is written on, or else with the page; {count, page, plot}, where page and plot
+/// are the worst of each with its words.
 inline constexpr const char* kAskContrast = R"(
   document.querySelectorAll('details').forEach(d => d.open = true);
   const channel = c => c <= 10 ? c / 3294 : Math.pow((c / 255 + 0.055) / 1.055, 2.4);
@@ -50,13 +58,21 @@ inline constexpr const char* kAskContrast = R"(
       const color = getComputedStyle(e).backgroundColor;
       if (!(numbers(color).length === 4 && numbers(color)[3] === 0)) return color; }
     return getComputedStyle(document.documentElement).colorScheme; };
+  const tile = (e, svg) => { const a = e.getBoundingClientRect();
+    const x = (a.left + a.right) / 2, y = (a.top + a.bottom) / 2;
+    return [...svg.querySelectorAll('rect, polygon')].filter(r => { const b = r.getBoundingClientRect();
+      return (r.compareDocumentPosition(e) & Node.DOCUMENT_POSITION_FOLLOWING) &&
+        getComputedStyle(r).fill !== 'none' && getComputedStyle(r).fillOpacity > 0.5 &&
+        b.left <= x && x <= b.right && b.top <= y && y <= b.bottom; }).pop(); };
   const worst = {count: 0, page: [99, ''], plot: [99, '']};
   for (const e of document.querySelectorAll('body *')) {
     const own = [...e.childNodes].filter(n => n.nodeType === 3).map(n => n.data.trim()).join('');
-    if (!own || e.tagName === 'SCRIPT' || e.tagName === 'STYLE') continue;
+    if (!own || ['SCRIPT', 'STYLE', 'title'].includes(e.tagName)) continue;
     const svg = e.closest('svg');
     const style = getComputedStyle(e);
-    const a = luminance(svg ? style.fill : style.color), b = luminance(ground(svg || e));
+    const under = svg && tile(e, svg);
+    const a = luminance(svg ? style.fill : style.color);
+    const b = luminance(under ? getComputedStyle(under).fill : ground(svg || e));
     const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
     const kind = svg ? 'plot' : 'page';
     worst.count += 1;

@@ -10,13 +10,6 @@
 namespace sidestep {
 namespace {
 
-constexpr int kDesk_px = 1280;
-constexpr int kPhone_px = 500;  // the narrowest window that Chromium opens
-
-// WCAG 2: AA for text, and for large text and graphics.
-constexpr double kLegibleText = 4.5;
-constexpr double kLegiblePlot = 3.0;
-
 // The report of a run that fails, as a missed expectation has colours of its own; made once.
 const std::string& Page() {
   static const ScratchFolder folder;
