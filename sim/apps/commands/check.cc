@@ -165,7 +165,10 @@ void CheckWhatIsDrawn(const CheckArguments& arguments) {
 int Check(const CheckArguments& arguments) {
   CheckWhatIsDrawn(arguments);
   std::vector<CheckItem> items;
-  if (!PlanItems(arguments, &items)) return kExitBadInput;
+  {
+    const EndsAtOnce reading(kExitInvalid);
+    if (!PlanItems(arguments, &items)) return kExitBadInput;
+  }
   if (items.empty()) {
     throw ConfigError("check: error: no scenario is called '" + arguments.filter + "'");
   }

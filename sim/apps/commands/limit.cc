@@ -13,6 +13,7 @@
 #include "sim/limit/assume.h"
 #include "sim/limit/limit_subject.h"
 #include "sim/limit/limit_table.h"
+#include "sim/process/interrupt.h"
 #include "sim/scenario/find_scenario.h"
 #include "sim/scenario/read_scenario.h"
 
@@ -65,8 +66,8 @@ std::vector<limit::PushMoment> MomentsOf(const LimitArguments& arguments,
   return limit::EvenMoments(task.params, task.gait, std::stoi(arguments.moments));
 }
 
-int Limit(const LimitArguments& arguments) {
-  if (!arguments.out.empty()) CheckOutFile(arguments.out, arguments.force);
+limit::LimitTable TableOf(const LimitArguments& arguments) {
+  const EndsAtOnce computing(kExitInvalid);
   const Scenario scenario = Read(arguments);
   const limit::LimitSubject subject = limit::LimitSubjectOf(scenario);
   limit::LimitTask task;
@@ -76,8 +77,13 @@ int Limit(const LimitArguments& arguments) {
   task.freedom = arguments.freedom;
   task.moments = MomentsOf(arguments, task);
   task.directions_rad = limit::EvenDirections(arguments.directions, subject.is_planar);
-  const limit::LimitTable table =
-      limit::MakeLimitTable(arguments.subject, task, arguments.push_s, PartOf(arguments, scenario));
+  return limit::MakeLimitTable(arguments.subject, task, arguments.push_s,
+                               PartOf(arguments, scenario));
+}
+
+int Limit(const LimitArguments& arguments) {
+  if (!arguments.out.empty()) CheckOutFile(arguments.out, arguments.force);
+  const limit::LimitTable table = TableOf(arguments);
   if (!arguments.out.empty()) WriteTextFile(arguments.out, LimitCsv(table));
   std::fputs(LimitText(table).c_str(), stdout);
   return kExitPass;

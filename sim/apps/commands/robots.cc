@@ -9,6 +9,7 @@
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
 #include "sim/apps/commands/print_robot.h"
+#include "sim/process/interrupt.h"
 #include "sim/world/world_model.h"
 
 namespace sidestep {
@@ -20,6 +21,7 @@ struct RobotsArguments {
 };
 
 RobotDescription Describe(const std::string& robot) {
+  const EndsAtOnce reading(kExitInvalid);
   const std::filesystem::path file = FindRobot(robot, std::filesystem::current_path());
   if (!file.empty()) return ReadSoundRobot(file);
   std::string shipped;
@@ -50,8 +52,13 @@ void Print(const RobotDescription& robot) {
 
 // The world as a scenario with only defaults compiles it: robot, floor, light. It carries the
 // robot's files, so that an import of it is the same robot.
+std::string ExportText(const RobotDescription& robot) {
+  const EndsAtOnce compiling(kExitInvalid);
+  return importer::WithRobotFiles(DrawnWorldMjcf(robot), robot);
+}
+
 void SaveMjcf(const RobotDescription& robot, const std::filesystem::path& file) {
-  WriteTextFile(file, importer::WithRobotFiles(DrawnWorldMjcf(robot), robot));
+  WriteTextFile(file, ExportText(robot));
   std::printf("%s\n", file.c_str());
 }
 
@@ -63,6 +70,7 @@ int Robots(const RobotsArguments& arguments) {
   }
   const RobotDescription robot = Describe(arguments.robot);
   if (arguments.mjcf.empty()) {
+    const EndsAtOnce computing(kExitInvalid);
     Print(robot);
   } else {
     SaveMjcf(robot, arguments.mjcf);

@@ -9,6 +9,7 @@
 
 #include "models/support/config_error.h"
 #include "sim/apps/commands/commands.h"
+#include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
 #include "sim/apps/commands/progress.h"
 #include "sim/episode/run_scenario.h"
@@ -124,13 +125,17 @@ void Draw(const Scenario& scenario, const fs::path& run_dir, bool has_passed,
            [&] { WriteReport({run_dir}, run_dir / "report.html"); });
 }
 
+Scenario Read(const RunArguments& arguments) {
+  const EndsAtOnce reading(kExitInvalid);
+  return ReadScenario(FindScenario(arguments.scenario), arguments.overrides, PrintNote);
+}
+
 int Run(const RunArguments& arguments) {
   if (arguments.log == LogDetail::kNone && arguments.has_asked_plots) {
     throw ConfigError("run: error: --log none keeps no ticks, --plots " + arguments.plots +
                       " can't draw them; leave one of the two out");
   }
-  const Scenario scenario =
-      ReadScenario(FindScenario(arguments.scenario), arguments.overrides, PrintNote);
+  const Scenario scenario = Read(arguments);
   const fs::path out_dir =
       (arguments.out_dir.empty() ? fs::path("renders") / scenario.name : arguments.out_dir)
           .lexically_normal();

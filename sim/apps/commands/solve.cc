@@ -19,6 +19,7 @@
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
+#include "sim/process/interrupt.h"
 
 namespace sidestep {
 namespace {
@@ -95,13 +96,16 @@ int Solve(const SolveArguments& arguments) {
   const mpc::MpcSolution* guess = setup.guess ? &*setup.guess : nullptr;
   mpc::MpcSolution solution;
   std::vector<double> times_ms;
-  for (int i = 0; i < arguments.repeat; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    const mpc::MpcSolution& answer = solver->Solve(ocp, guess);
-    times_ms.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count());
-    solution = answer;
+  {
+    const EndsAtOnce solving(kExitInvalid);
+    for (int i = 0; i < arguments.repeat; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      const mpc::MpcSolution& answer = solver->Solve(ocp, guess);
+      const std::chrono::duration<double, std::milli> took =
+          std::chrono::steady_clock::now() - start;
+      times_ms.push_back(took.count());
+      solution = answer;
+    }
   }
   std::sort(times_ms.begin(), times_ms.end());
   const Json times{{"median", Quantile(times_ms, 0.5)},

@@ -7,6 +7,7 @@
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/sweep_folder.h"
 #include "sim/check/find_scenarios.h"
+#include "sim/process/interrupt.h"
 #include "sim/scenario/find_scenario.h"
 #include "sim/scenario/push_option.h"
 #include "sim/scenario/read_scenario.h"
@@ -32,6 +33,7 @@ void ReadWholeSweep(const std::filesystem::path& file, const std::vector<std::st
 }
 
 int Validate(const ValidateArguments& arguments) {
+  const EndsAtOnce reading(kExitInvalid);
   int exit_code = kExitPass;
   for (const auto& file : FindScenarios(arguments.paths, SweepFiles::kFound)) {
     try {
@@ -41,6 +43,7 @@ int Validate(const ValidateArguments& arguments) {
         ReadScenario(file, arguments.overrides, PrintNote);
       }
       std::printf("ok: %s\n", file.c_str());
+      std::fflush(stdout);
     } catch (const ConfigError& error) {
       std::fprintf(stderr, "%s\n", error.what());
       exit_code = kExitBadInput;

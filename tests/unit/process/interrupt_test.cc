@@ -2,6 +2,7 @@
 #include "sim/process/interrupt.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace sidestep::interrupt_test {
 namespace {
@@ -42,6 +43,30 @@ TEST_F(InterruptTest, ASignalThatComesLaterEndsTheProgram) {
     std::raise(SIGINT);
   };
   EXPECT_EXIT(insist(), ::testing::KilledBySignal(SIGINT), "");
+}
+
+TEST_F(InterruptTest, WhereNothingIsBegunItEndsTheProgramAtOnce) {
+  constexpr int kExitCode = 3;
+  const auto read_for_long = [] {
+    InstallInterruptHandlers();
+    const EndsAtOnce reading(kExitCode);
+    std::raise(SIGTERM);
+    ADD_FAILURE() << "we are still here";
+  };
+  EXPECT_EXIT(read_for_long(), ::testing::ExitedWithCode(kExitCode), "^sidestep: interrupted\n$");
+  const auto read_then_run = [] {
+    InstallInterruptHandlers();
+    { const EndsAtOnce reading(kExitCode); }
+    std::raise(SIGTERM);
+    _exit(InterruptRequested() ? 0 : 1);
+  };
+  EXPECT_EXIT(read_then_run(), ::testing::ExitedWithCode(0), "");
+}
+
+TEST_F(InterruptTest, ASignalThatCameBeforeIsNotForgotten) {
+  InstallInterruptHandlers();
+  std::raise(SIGINT);
+  EXPECT_THROW(EndsAtOnce(3), Interrupted);
 }
 
 }  // namespace
