@@ -93,6 +93,7 @@ int RunCommandLine(int argc, char** argv) {
   AddSchemaCommand(app, exit_code);
   AddLimitCommand(app, exit_code);
   AddSolveCommand(app, exit_code);
+  RefuseEmptyWords(app);
   app.footer("Exit codes: 0 pass, 1 verdict fail, 2 bad input or usage, 3 invalid run.");
   try {
     app.parse(argc, argv);

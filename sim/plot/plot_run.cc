@@ -31,7 +31,7 @@ void CheckNames(const std::vector<std::string>& names) {
     for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
     throw ConfigError("sidestep: error: there is no plot '" + name + "'" +
                       (nearest.empty() ? "" : ", did you mean '" + nearest + "'?") +
-                      " There are: " + all);
+                      (nearest.empty() ? "; there are: " : " There are: ") + all);
   }
 }
 

@@ -101,7 +101,17 @@ TEST(ExitCodeTest, MistakesOfTheUserAreTwoAndOneLineOnStderr) {
            {"render", folder.path()},
            {"film", folder.path(), folder.path(), "-o", out},
            {"solve", good},
-           {"robots", "no_such_robot"}}) {
+           {"robots", "no_such_robot"},
+           {"run", ""},
+           {"run", good, "-o", ""},
+           {"check", good, "--junit", ""},
+           {"check", good, "--timeout", "inf"},
+           {"render", folder.path(), "--speed", "nan"},
+           {"plot", folder.path(), "--around", "nan"},
+           {"solve", good, "--tolerance", "nan"},
+           {"limit", "hopper", "--push-s", "nan"},
+           {"sweep", good, "--time-budget", "nan"},
+           {"sweep", good, "--resolution", "inf"}}) {
     ExpectMistake(arguments);
   }
   EXPECT_FALSE(fs::exists(out)) << "a run that never began left a folder";

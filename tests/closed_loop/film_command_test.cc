@@ -120,7 +120,7 @@ TEST(RenderCommandTest, MistakesAreTwoAndOneLineThatTellsWhatWasExpected) {
       {{run, "--frame", "f.png", "--gif"}, "excludes"},
       {{run, "--from", "0.2", "--to", "0.1"}, "the run is from 0 s to 0.3"},
       {{run, "--from", "nan"}, "not a time"},
-      {{run, "--speed", "0"}, "range"},
+      {{run, "--speed", "0"}, "from 0.01 to 100"},
       {{run, "--camera", "beside"}, "follow"},
       {{run, "--size", "95x64"}, "expected WIDTHxHEIGHT"},
       {{run, "--size", "96x64px"}, "expected WIDTHxHEIGHT"},

@@ -82,11 +82,11 @@ TEST(PlotCommandTest, MistakesAreTwoAndOneLineThatTellsWhatWasExpected) {
   const fs::path& run = Icub().run;
   const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
       {{"--only", "topview"}, "did you mean 'top_view'"},
-      {{"--only", "com,bananas"}, "There are: top_view"},
+      {{"--only", "com,bananas"}, "; there are: top_view"},
       {{"--size", "88"}, "expected a size such as 88mm"},
       {{"--size", "0mm"}, "expected a size such as 88mm"},
       {{"--format", "jpeg"}, "svg"},
-      {{"--around", "-2"}, "range"},
+      {{"--around", "-2"}, "from 0.05 to 1000"},
       {{"--around", "two"}, "--around"},
       {{"--png", "--format", "pdf"}, "excludes"}};
   for (const auto& [arguments, expected] : mistakes) {

@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <thread>
 
 #include "models/support/config_error.h"
-#include "models/support/parse_number.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/apps/commands/exit_code.h"
 #include "sim/apps/commands/out_folder.h"
@@ -195,17 +192,6 @@ int Check(const CheckArguments& arguments) {
   return ExitCodeOf(outcomes);
 }
 
-// CLI11's own check for positive numbers takes nan.
-CLI::Validator PositiveSeconds() {
-  const auto what_is_wrong = [](const std::string& text) -> std::string {
-    const std::optional<double> seconds = ParseAs<double>(text);
-    return seconds && *seconds > 0.0 && std::isfinite(*seconds)
-               ? ""
-               : "'" + text + "' is no number of seconds above 0";
-  };
-  return {what_is_wrong, "", "PositiveSeconds"};
-}
-
 }  // namespace
 
 void AddCheckCommand(CLI::App& app, int& exit_code) {
@@ -233,7 +219,7 @@ void AddCheckCommand(CLI::App& app, int& exit_code) {
   command
       ->add_option("--timeout", arguments->time_limit_s,
                    "A run that takes longer is ended and INVALID")
-      ->check(PositiveSeconds())
+      ->check(AboveZero())
       ->type_name("S");
   CLI::Option* out =
       command->add_option("-o,--out", arguments->out_dir, "Folder that gets a folder a run")

@@ -73,6 +73,15 @@ std::vector<std::string> OverrideWords(const std::vector<std::string>& overrides
 /// What an option that takes a time of a run (s) asks of it: a number, not negative.
 CLI::Validator TimeInRun();
 
+/// What an option asks of a number: from `least` to `most`, or above zero. CLI11's own checks also
+/// take nan, and inf as a positive number.
+CLI::Validator Within(double least, double most);
+CLI::Validator AboveZero();
+
+/// Makes every option and argument of `app` and its subcommands refuse an empty word, which is
+/// what a shell makes of "$A_NAME_THAT_WAS_NEVER_SET". Call it when all of them are there.
+void RefuseEmptyWords(CLI::App& app);
+
 /// Prints a line to stderr: what a reader notes although nothing is wrong.
 void PrintNote(const std::string& note);
 

@@ -4,13 +4,24 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <string>
 
+#include "models/support/parse_number.h"
 #include "sim/apps/commands/commands.h"
 #include "sim/record/git_commit.h"
 #include "sim/scenario/push_option.h"
 
 namespace sidestep {
+namespace {
+
+std::optional<double> FiniteNumber(const std::string& text) {
+  const std::optional<double> number = ParseAs<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+}  // namespace
 
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
   command
@@ -72,11 +83,37 @@ void AddLogOption(CLI::App& command, LogDetail& detail) {
 
 CLI::Validator TimeInRun() {
   return {[](std::string& text) {
-            double time_s = 0.0;
-            const bool is_time = CLI::detail::lexical_cast(text, time_s) && std::isfinite(time_s);
-            return is_time && time_s >= 0.0 ? "" : text + " is not a time of a run";
+            const std::optional<double> time_s = FiniteNumber(text);
+            return time_s && *time_s >= 0.0 ? "" : "'" + text + "' is not a time of a run";
           },
           ""};
+}
+
+CLI::Validator Within(double least, double most) {
+  std::ostringstream range;
+  range << "from " << least << " to " << most;
+  return {[least, most, words = range.str()](std::string& text) {
+            const std::optional<double> number = FiniteNumber(text);
+            const bool is_good = number && *number >= least && *number <= most;
+            return is_good ? "" : "'" + text + "' is no number " + words;
+          },
+          ""};
+}
+
+CLI::Validator AboveZero() {
+  return {[](std::string& text) {
+            const std::optional<double> number = FiniteNumber(text);
+            return number && *number > 0.0 ? "" : "'" + text + "' is no number above 0";
+          },
+          ""};
+}
+
+void RefuseEmptyWords(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    option->check([](const std::string& text) { return text.empty() ? "it is empty" : ""; });
+  }
+  for (CLI::App* command : app.get_subcommands({})) RefuseEmptyWords(*command);
 }
 
 void PrintNote(const std::string& note) { std::fprintf(stderr, "%s\n", note.c_str()); }

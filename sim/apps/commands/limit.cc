@@ -137,7 +137,7 @@ void AddOptions(CLI::App& command, const std::shared_ptr<LimitArguments>& argume
       ->check(CountOrNamed())
       ->capture_default_str();
   command.add_option("--push-s", arguments->push_s, "How long a push lasts (0: an instant)")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(Within(0.0, 10.0))
       ->capture_default_str();
   command.add_option("--at", arguments->part, "Body or frame that is pushed, besides the CoM")
       ->type_name("PART");

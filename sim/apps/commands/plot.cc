@@ -31,7 +31,7 @@ void AddPlotCommand(CLI::App& app, int& exit_code) {
       command
           ->add_option("--around", arguments->around_s,
                        "The time around each push instead, so long (s) before and after it")
-          ->check(CLI::Range(0.05, 1000.0))
+          ->check(Within(0.05, 1000.0))
           ->type_name("S");
   command
       ->add_option("--size", arguments->size,

@@ -160,7 +160,7 @@ void AddClipOptions(CLI::App& command, RenderArguments& arguments) {
             ->check(TimeInRun())
             ->type_name("S"),
         command.add_option("--speed", arguments.speed, "Seconds of the run in one of the film")
-            ->check(CLI::Range(0.01, 100.0))
+            ->check(Within(0.01, 100.0))
             ->type_name("X"),
         command.add_flag("--gif", arguments.is_gif, "A GIF instead of an MP4"),
         command.add_flag("--side-by-side", arguments.is_side_by_side,

@@ -149,7 +149,7 @@ void AddSolveCommand(CLI::App& app, int& exit_code) {
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "Of the optimality conditions; default: the file's, or 1e-8")
-      ->check(CLI::Range(1e-14, 1e-1));
+      ->check(Within(1e-14, 1e-1));
   command
       ->add_option("--max-iterations", arguments->max_iterations,
                    "Limit of iterations; default: the file's, or 200")

@@ -25,7 +25,7 @@ void AddSweepSpecOptions(CLI::App& command, SweepArguments& arguments) {
                   "follows it as KEY=VALUES")
       ->type_name("KEY");
   command.add_option("--resolution", sweep.resolution, "Narrowest bracket of the limit")
-      ->check(CLI::PositiveNumber);
+      ->check(AboveZero());
   command.add_option("--seeds", sweep.seeds, "Repeats: how many seeds from 1 on, or a list [3, 5]");
   command.add_flag("--yes", arguments.is_agreed, "Agree to more than a million runs");
   AddSetOption(command, sweep.set);
@@ -43,7 +43,7 @@ void AddSweepRunOptions(CLI::App& command, SweepArguments& arguments) {
   command
       .add_option("--time-budget", arguments.shard.time_budget_s,
                   "Start no ray that would not end within so many seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(AboveZero())
       ->type_name("S");
 }
 
