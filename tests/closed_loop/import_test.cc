@@ -109,16 +109,17 @@ INSTANTIATE_TEST_SUITE_P(Makers, Import,
                                          "mjcf_servos", "mjcf_generals"),
                          [](const auto& maker) { return maker.param; });
 
-/// On points. It falls at none of the sixteen pushes; from two of them, sideways ones, it has not
-/// recovered by the end of the run, which is why that is asked of the shipped push alone.
+/// On points. A push to the side of the leg it stands on costs it a step the wrong way first, so
+/// that it is back on its path later than others: after 2.6 s, by the end of the run it imports
+/// (10 s), not of a shorter one.
 class PointImport : public Import {};
 
 TEST_P(PointImport, StepsInPlaceWalksAndCatchesAPush) {
   for (const char* what : {"stand", "walk", "push"}) ExpectPass(what);
 }
 
-TEST_P(PointImport, FallsAtNoPushFromFourSidesInFourPhases) {
-  ExpectPassOfSixteenPushes({"expect={fall: false}"});
+TEST_P(PointImport, SurvivesAPushFromFourSidesInFourPhases) {
+  ExpectPassOfSixteenPushes({"duration_s=10"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Makers, PointImport, testing::Values("points"),
