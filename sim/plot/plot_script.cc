@@ -19,7 +19,8 @@ constexpr double kBelow_em = 6.2;     // tics, label and air between panels and 
 constexpr double kTicX_em = 5.5;      // room that a number wants along x
 constexpr double kTicY_em = 1.9;      // along y
 constexpr double kAxisMargin = 0.05;  // of the range, beyond what is drawn
-constexpr double kLeastRange = 1e-6;  // what moves less, in any unit, stands still
+constexpr double kLeastRange = 1e-6;  // what moves less, in any unit, stands still,
+constexpr double kLeastShare = 1e-4;  // and less than that of its value, as six digits can't tell
 constexpr double kStillRange = 0.01;  // of the value, shown about it
 
 int KeyRows(const Canvas& canvas) { return canvas.is_narrow() ? 4 : 2; }
@@ -122,8 +123,9 @@ double TimeStep_s(double duration_s, double length_em) {
 std::string AxisLines(const std::string& axis, Span span, double length_em) {
   if (span.is_empty()) span = {0.0, 1.0};
   double margin = kAxisMargin * span.length();
-  if (span.length() < kLeastRange) {
-    margin = std::abs(span.max) < kLeastRange ? 1.0 : kStillRange * std::abs(span.max);
+  const double magnitude = std::max(std::abs(span.min), std::abs(span.max));
+  if (span.length() < std::max(kLeastRange, kLeastShare * magnitude)) {
+    margin = magnitude < kLeastRange ? 1.0 : kStillRange * magnitude;
   }
   const double from = span.min - margin, to = span.max + margin;
   const double room_em = axis == "x" ? kTicX_em : kTicY_em;
