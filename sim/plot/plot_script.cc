@@ -44,7 +44,8 @@ std::string ScriptText(const Canvas& canvas, const std::string& name,
          R"(set encoding utf8
 set border 3 linewidth 0.8
 set tics nomirror out scale 0.6
-set grid linecolor rgb "#B0B0B0" linewidth 0.4 dashtype solid
+set grid linecolor rgb ")" +
+         palette::kGrid + R"(" linewidth 0.4 dashtype solid
 set key noautotitle at screen 0.5,0.012 center bottom vertical maxrows )" +
          std::to_string(KeyRows(canvas)) + " Left reverse samplen 2.5 width 1\n" + definitions +
          body;
@@ -156,7 +157,9 @@ std::string FaintStyle(const std::string& color, const std::string& more) {
   return LineStyle("#80" + color.substr(1), more);  // gnuplot's alpha comes first: 0 is opaque
 }
 
-std::string ZeroLine() { return "0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle"; }
+std::string ZeroLine() {
+  return "0 with lines " + LineStyle(palette::kGrid, "linewidth 0.5 notitle");
+}
 
 std::string PushKey(const PlotData& data) {
   if (data.pushes.empty()) return "keyentry with points pointtype 0 title ' '";
