@@ -2,6 +2,7 @@
 #include "sim/plot/curve_file.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"

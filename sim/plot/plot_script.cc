@@ -2,7 +2,6 @@
 #include "sim/plot/plot_script.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
