@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace sidestep::plot {
@@ -93,7 +94,8 @@ Values RatesOf(const Values& values, const Values& time_s) {
   return rates;
 }
 
-// Roll and pitch of the base (rad), yaw first.
+// Roll and pitch of the base (rad), yaw first. Roll goes on beyond half a turn, of one that falls
+// over: a jump back would be a line across the portrait and a rate of thousands.
 std::pair<Values, Values> RollAndPitch(const CsvTable& rows) {
   const Values w = rows.Numbers("truth_q_WB_w"), x = rows.Numbers("truth_q_WB_x");
   const Values y = rows.Numbers("truth_q_WB_y"), z = rows.Numbers("truth_q_WB_z");
@@ -101,7 +103,8 @@ std::pair<Values, Values> RollAndPitch(const CsvTable& rows) {
   for (std::size_t i = 0; i < w.size(); ++i) {
     const double up_y = 2.0 * (w[i] * x[i] + y[i] * z[i]);
     const double up_z = 1.0 - 2.0 * (x[i] * x[i] + y[i] * y[i]);
-    roll_rad.push_back(std::atan2(up_y, up_z));
+    const double roll = std::atan2(up_y, up_z), before = roll_rad.empty() ? roll : roll_rad.back();
+    roll_rad.push_back(before + std::remainder(roll - before, 2.0 * std::numbers::pi));
     pitch_rad.push_back(std::asin(std::clamp(2.0 * (w[i] * y[i] - z[i] * x[i]), -1.0, 1.0)));
   }
   return {roll_rad, pitch_rad};

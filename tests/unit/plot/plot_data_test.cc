@@ -221,6 +221,21 @@ TEST(PlotDataTest, AStretchsFirstAndLastRowHaveTheRatesThatTheyHaveInTheRun) {
   ExpectRows(PitchPoints(data, "after"), 0.4, 0.6);
 }
 
+TEST(PlotDataTest, ARollBeyondHalfATurnGoesOn) {
+  const fs::path dir = FreshTestDir("rolling");
+  WriteSyntheticRun(dir, {.duration_s = 1.0});
+  constexpr double kRate_radps = 5.0;
+  Replace(dir, "truth_q_WB_w", [=](double t) { return Number(std::cos(0.5 * kRate_radps * t)); });
+  Replace(dir, "truth_q_WB_x", [=](double t) { return Number(std::sin(0.5 * kRate_radps * t)); });
+  for (const char* still : {"truth_q_WB_y", "truth_q_WB_z"}) {
+    Replace(dir, still, [](double) { return "0"; });
+  }
+  const plot::PlotData data = plot::LoadPlotData(dir);
+  EXPECT_NEAR(data.curves.XOf("truth_roll_rad_after").max, kRate_radps * data.end_s, 1e-6);
+  EXPECT_NEAR(data.curves.YOf("truth_roll_rad_after").min, kRate_radps, 1e-6);
+  EXPECT_NEAR(data.curves.YOf("truth_roll_rad_after").max, kRate_radps, 1e-6);
+}
+
 TEST(PlotDataTest, WhatDoesNotMoveHasNoPortrait) {
   const plot::PlotData& data = Pitching();
   EXPECT_EQ(data.phases, (std::vector<std::string>{"truth_pitch_rad"}));
