@@ -29,10 +29,10 @@ struct Look {
   const char* point;
 };
 constexpr std::array<Look, 2> kLooks{
-    {{"A", "a.bin", "a_", palette::Foot(0), "linewidth 2.4", "pointtype 7"},
-     {"B", "b.bin", "b_", palette::Foot(1), "linewidth 1.4 dashtype (5,3)", "pointtype 6"}}};
+    {{"A", "a.bin", "a_", palette::Run(0), "linewidth 2.4", "pointtype 7"},
+     {"B", "b.bin", "b_", palette::Run(1), "linewidth 1.4 dashtype (5,3)", "pointtype 6"}}};
 
-// Both runs, and their axes: names and pushes of both, times from the first row to the last.
+// Both runs, and their axes: pushes of both, times from the first row to the last, no curves.
 struct Overlay {
   PlotData axes;
   std::array<PlotData, 2> runs;
@@ -160,8 +160,9 @@ Overlay LoadOverlay(const fs::path& first, const fs::path& second) {
   };
   Overlay overlay{{}, {load(first, kLooks[0]), load(second, kLooks[1])}};
   const auto& [a, b] = overlay.runs;
-  overlay.axes = a;
   overlay.axes.title = "A and B";
+  overlay.axes.canvas = a.canvas;
+  overlay.axes.pushes = a.pushes;
   overlay.axes.start_s = std::min(a.start_s, b.start_s);
   overlay.axes.end_s = std::max(a.end_s, b.end_s);
   for (const plot::Stretch& push : b.pushes) {

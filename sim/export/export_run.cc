@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/export/export_run.h"
 
+#include <cstddef>
+#include <set>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "models/support/config_error.h"
 #include "models/support/config_tree.h"
+#include "models/support/plain_word.h"
 #include "sim/export/column_path.h"
 #include "sim/export/mat_file.h"
 #include "sim/record/output_file.h"
@@ -20,6 +25,24 @@ void RequireNotOfTheRun(const fs::path& run_dir, const fs::path& file) {
     std::error_code ignored;  // a file that is not there yet is none of the run's
     if (!fs::equivalent(file, run_dir / name, ignored)) continue;
     throw ConfigError(file.string() + ": error: is a file of the run itself");
+  }
+}
+
+// Names that mean something to other programs' readers of tables are none that a run wrote.
+void RequirePlainHeader(const std::vector<std::string>& header, const std::string& file) {
+  std::set<std::string_view> known;
+  std::size_t column = 1;
+  for (const std::string& name : header) {
+    const auto place = static_cast<int>(column);
+    if (name.empty() || name.find_first_not_of(kPlainCharacters) != std::string::npos) {
+      throw ConfigError(
+          file, 1, place,
+          "a column's name must be of letters, digits, '_', '-' or '.', found '" + name + "'");
+    }
+    if (!known.insert(name).second) {
+      throw ConfigError(file, 1, place, "there is a column '" + name + "' already");
+    }
+    column += name.size() + 1;
   }
 }
 
@@ -62,6 +85,7 @@ void ExportRun(const fs::path& run_dir, const fs::path& file) {
   if (trajectory.num_rows() == 0) {
     throw ConfigError((run_dir / "trajectory.csv").string() + ": error: holds no row");
   }
+  RequirePlainHeader(trajectory.header(), (run_dir / "trajectory.csv").string());
   const std::string robot = RobotOf(run_dir);
   ListIfInRun(run_dir, file);
   if (extension == ".csv") {

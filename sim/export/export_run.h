@@ -16,7 +16,8 @@ std::string GroupedCsv(const CsvTable& trajectory);
 /// asks: .csv as GroupedCsv, .mat as WriteMat (mat_file.h). An older file is replaced only by a
 /// whole new one. One in the run's folder goes on its list of files.
 /// @throws ConfigError for another extension, for a file that is the run's own, if the trajectory
-///         or scenario.yaml can't be read or holds no row, and if the file can't be written.
+///         or scenario.yaml can't be read, holds no row or has columns whose names are no plain
+///         words or stand twice, and if the file can't be written.
 void ExportRun(const std::filesystem::path& run_dir, const std::filesystem::path& file);
 
 }  // namespace sidestep

@@ -8,10 +8,11 @@
 #include <cerrno>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
+#include <new>
 #include <system_error>
 #include <utility>
 
+#include "sim/export/hdf5_failures.h"
 #include "sim/export/mat_names.h"
 #include "sim/record/output_file.h"
 
@@ -147,37 +148,34 @@ Variable Tree(const MatContent& content) {
   return root;
 }
 
-// False if any of it failed; errno tells why, if it is known.
-bool WriteTree(const Variable& root, const fs::path& part) {
-  errno = 0;
+// Throws as FailToWrite(file) if any of it failed.
+void WriteTree(const Variable& root, const fs::path& part, const fs::path& file) {
+  const Hdf5Failures failures;
   mat_t* mat = Mat_CreateVer(part.c_str(), kHeader, MAT_FT_MAT73);
-  if (mat == nullptr) return false;
-  const bool is_written = Mat_VarWrite(mat, root.get(), MAT_COMPRESSION_ZLIB) == 0;
-  const int reason = errno;
-  const bool is_closed = Mat_Close(mat) == 0;
-  if (!is_written) errno = reason;
-  return is_written && is_closed;
+  bool is_whole = mat != nullptr;
+  is_whole = is_whole && Mat_VarWrite(mat, root.get(), MAT_COMPRESSION_ZLIB) == 0;
+  is_whole = (mat == nullptr || Mat_Close(mat) == 0) && is_whole;
+  if (is_whole && !failures.first()) return;
+  errno = failures.first().value_or(0);
+  FailToWrite(file);
 }
 
 }  // namespace
 
 void WriteMat(const MatContent& content, const fs::path& file) {
   const fs::path part = file.string() + ".part";
-  const Variable root = Tree(content);
-  std::error_code error;
-  if (!WriteTree(root, part)) {
-    const int reason = errno;
-    fs::remove(part, error);  // it would keep a full disk full
-    errno = reason;
+  try {
+    WriteTree(Tree(content), part, file);
+    std::error_code failure;
+    fs::rename(part, file, failure);
+    if (!failure) return;
+    errno = failure.value();
     FailToWrite(file);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(part, ignored);  // it would keep a full disk full
+    throw;
   }
-  fs::rename(part, file, error);
-  if (!error) return;
-  errno = error.value();
-  std::error_code ignored;
-  fs::remove(part, ignored);
-  errno = error.value();
-  FailToWrite(file);
 }
 
 }  // namespace sidestep

@@ -2,7 +2,6 @@
 #pragma once
 // signal: the columns of a trajectory that belong together, as one vector over time.
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

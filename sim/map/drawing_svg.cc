@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "sim/map/drawing.h"
+#include "sim/palette/palette.h"
 #include "sim/report/html.h"
 
 namespace sidestep::map {
@@ -10,20 +11,18 @@ namespace {
 
 struct Role {
   const char* name;
-  const char* light;
-  const char* dark;
+  palette::Shades shades;
 };
 
-// Blue and orange are Okabe and Ito's, which colour-blind people can tell apart.
-constexpr std::array<Role, 9> kRoles{{{ink::kPage, "#ffffff", "#1d2126"},
-                                      {ink::kText, "#1b1f24", "#e8eaed"},
-                                      {ink::kSoft, "#5b6470", "#a2abb5"},
-                                      {ink::kGrid, "#d3d8de", "#3d444c"},
-                                      {ink::kRecovered, "#0072b2", "#56b4e9"},
-                                      {ink::kLost, "#b84a00", "#ff9d5c"},
-                                      {ink::kInvalid, "#5f6368", "#a2abb5"},
-                                      {ink::kLimit, "#7a8a5c", "#9fb07c"},
-                                      {ink::kLimitArea, "#eef1e6", "#2a3026"}}};
+constexpr std::array<Role, 9> kRoles{{{ink::kPage, palette::kCard},
+                                      {ink::kText, palette::kInk},
+                                      {ink::kSoft, palette::kSoftInk},
+                                      {ink::kGrid, palette::kMapGrid},
+                                      {ink::kRecovered, palette::kRecovered},
+                                      {ink::kLost, palette::kLost},
+                                      {ink::kInvalid, palette::kUndecided},
+                                      {ink::kLimit, palette::kPendulum},
+                                      {ink::kLimitArea, palette::kPendulumArea}}};
 
 const Role* RoleOf(const std::string& color) {
   for (const Role& role : kRoles) {
@@ -116,14 +115,14 @@ std::string Head(const Drawing& drawing, const std::string& label, const std::st
 
 std::string LightColor(const std::string& color) {
   const Role* role = RoleOf(color);
-  return role != nullptr ? role->light : color;
+  return role != nullptr ? role->shades.light : color;
 }
 
 std::string RoleStyles() {
   std::string light, dark;
   for (const Role& role : kRoles) {
-    light += std::string("--map-") + role.name + ":" + role.light + ";";
-    dark += std::string("--map-") + role.name + ":" + role.dark + ";";
+    light += std::string("--map-") + role.name + ":" + role.shades.light + ";";
+    dark += std::string("--map-") + role.name + ":" + role.shades.dark + ";";
   }
   return ":root{" + light + "}\n@media (prefers-color-scheme: dark){:root{" + dark + "}}\n";
 }

@@ -6,32 +6,24 @@
 #include <numbers>
 
 #include "sim/map/pictures.h"
+#include "sim/palette/palette.h"
 
 namespace sidestep::map {
 namespace {
 
-struct Rgb {
-  double red, green, blue;
-};
-
-std::string Hex(const Rgb& color) {
-  const auto byte = [](double value) {
-    return static_cast<int>(std::lround(std::clamp(value, 0.0, 255.0)));
-  };
-  char text[16];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
-                byte(color.blue));
-  return text;
+// The colour that lies at `share` of the way between two of the palette's.
+std::string Between(const char* from, const char* to, double share) {
+  const std::array<float, 3> start = palette::Channels(from), end = palette::Channels(to);
+  std::string hex = "#";
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const double first = start[i], last = end[i], channel = first + share * (last - first);
+    char byte[3];
+    std::snprintf(byte, sizeof byte, "%02X",
+                  static_cast<unsigned>(std::lround(255.0 * channel)) & 0xFFU);
+    hex += byte;
+  }
+  return hex;
 }
-
-Rgb Between(const Rgb& from, const Rgb& to, double share) {
-  return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
-          from.blue + share * (to.blue - from.blue)};
-}
-
-constexpr Rgb kPale{247, 247, 247};
-constexpr Rgb kBlue{8, 69, 148};
-constexpr Rgb kOrange{166, 68, 0};
 
 }  // namespace
 
@@ -106,12 +98,13 @@ void DrawMark(Survival survival, Point at, double radius, Drawing* drawing) {
 
 std::string SequentialColor(double share) {
   if (std::isnan(share)) return ink::kGrid;
-  return Hex(Between(kPale, kBlue, std::clamp(share, 0.0, 1.0)));
+  return Between(palette::kScaleNone, palette::kScaleMost, std::clamp(share, 0.0, 1.0));
 }
 
 std::string DivergingColor(double share) {
   if (std::isnan(share)) return ink::kGrid;
-  return Hex(Between(kPale, share < 0.0 ? kOrange : kBlue, std::clamp(std::abs(share), 0.0, 1.0)));
+  return Between(palette::kScaleNone, share < 0.0 ? palette::kScaleOpposite : palette::kScaleMost,
+                 std::clamp(std::abs(share), 0.0, 1.0));
 }
 
 std::string ReadableOn(const std::string& color) {
@@ -123,7 +116,7 @@ std::string ReadableOn(const std::string& color) {
   constexpr double kEven = 0.18;
   const double luminance = 0.2126 * std::pow(channel(1), 2.2) + 0.7152 * std::pow(channel(3), 2.2) +
                            0.0722 * std::pow(channel(5), 2.2);
-  return luminance > kEven ? "#14171b" : "#ffffff";
+  return luminance > kEven ? palette::kGround.dark : palette::kCard.light;
 }
 
 }  // namespace sidestep::map

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plots of what acts on the body: the push as it is and as it is felt, and how the feet stand.
-#include <array>
+#include <string>
+#include <vector>
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"

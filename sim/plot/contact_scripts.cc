@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plots of the feet over time: what the ground does to them, and where the controller puts them.
+#include <algorithm>
+#include <cmath>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"

@@ -2,6 +2,7 @@
 #include "sim/plot/curve_file.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -84,12 +85,13 @@ std::vector<Sample> KeepCorners(const std::vector<Sample>& samples, double width
   return kept;
 }
 
-// Every `stride`-th sample.
+// Every so many-th sample, and the last.
 std::vector<Sample> Strided(const std::vector<Sample>& samples) {
   const std::size_t stride = (samples.size() + kMostPathSamples - 1) / kMostPathSamples;
   if (stride <= 1) return samples;
   std::vector<Sample> kept;
   for (std::size_t i = 0; i < samples.size(); i += stride) kept.push_back(samples[i]);
+  if ((samples.size() - 1) % stride != 0) kept.push_back(samples.back());
   return kept;
 }
 

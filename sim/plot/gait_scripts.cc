@@ -2,7 +2,10 @@
 // The gait diagram: who stands when, and who was to.
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"
@@ -32,10 +35,9 @@ std::string ThreeAxes(const PlotData& data, const std::string& stem, const std::
   std::vector<std::string> curves;
   std::string lines;
   for (std::size_t i = 0; i < kAxes.size(); ++i) {
-    constexpr std::array<const char*, 3> kColors{"#0072B2", "#D55E00", "#009E73"};
     curves.push_back(stem + "_" + kAxes[i] + "_" + unit);
     lines += (i == 0 ? "plot " : ", \\\n  ") +
-             Curve(data, curves.back(), LineStyle(kColors[i]), has_key ? kAxes[i] : "");
+             Curve(data, curves.back(), LineStyle(palette::Axis(i)), has_key ? kAxes[i] : "");
   }
   return YAxis(data, 3, curves, true) + lines;
 }
@@ -86,11 +88,11 @@ std::string MomentumScript(const PlotData& data) {
   std::string script = StartPanels(data, "push, angular momentum about the CoM, tilt", 3, 1);
   script += "set ylabel 'push (N)'\n" + ThreeAxes(data, "push_force_W", "N", false) + "\n";
   script += "set ylabel 'h about C (kg m²/s)'\n" + ThreeAxes(data, "truth_h_C_W", "kgm2ps", true) +
-            ", \\\n  keyentry with lines " + LineStyle(palette::kBelief) +
+            ", \\\n  keyentry with lines " + LineStyle(palette::kTruth) +
             " title 'tilt of the base', \\\n  " + PushKey(data) + "\n";
   script += "set ylabel 'tilt (rad)'\nset xlabel 'time (s)'\n" +
             YAxis(data, 3, {"truth_tilt_rad"}, true) + "plot " +
-            Curve(data, "truth_tilt_rad", LineStyle(palette::kBelief), "") + "\n";
+            Curve(data, "truth_tilt_rad", LineStyle(palette::kTruth), "") + "\n";
   return script + "unset multiplot\n";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <string>
 
 #include "models/support/require.h"
 #include "sim/palette/palette.h"

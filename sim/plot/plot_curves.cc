@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 namespace sidestep::plot {
 namespace {
@@ -72,23 +74,37 @@ void AddPressures(const TimedRows& rows, PlotData* data) {
   }
 }
 
+// Slope at b of the parabola through three samples a, b, c: x is time, y the value. At an end of
+// the samples b is that end, and a and c lie both on one side of it.
+double SlopeAt(const Sample& a, const Sample& b, const Sample& c) {
+  const double before = b.x - a.x, after = c.x - b.x;
+  return ((b.y - a.y) / before * after + (c.y - b.y) / after * before) / (before + after);
+}
+
+// d/dt of values, to the square of the time between them also at their ends.
 Values RatesOf(const Values& values, const Values& time_s) {
-  Values rates(values.size(), 0.0);
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    rates[i] = (values[i + 1] - values[i - 1]) / (time_s[i + 1] - time_s[i - 1]);
+  const std::size_t count = values.size();
+  Values rates(count, 0.0);
+  if (count < 3) return rates;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = i == 0 ? 2 : i - 1, after = i + 1 == count ? count - 3 : i + 1;
+    const auto sample = [&](std::size_t at) { return Sample{time_s[at], values[at]}; };
+    rates[i] = SlopeAt(sample(before), sample(i), sample(after));
   }
   return rates;
 }
 
-// Roll and pitch of the base (rad), yaw first.
-std::pair<Values, Values> RollAndPitch(const TimedRows& rows) {
+// Roll and pitch of the base (rad), yaw first. Roll goes on beyond half a turn, of one that falls
+// over: a jump back would be a line across the portrait and a rate of thousands.
+std::pair<Values, Values> RollAndPitch(const CsvTable& rows) {
   const Values w = rows.Numbers("truth_q_WB_w"), x = rows.Numbers("truth_q_WB_x");
   const Values y = rows.Numbers("truth_q_WB_y"), z = rows.Numbers("truth_q_WB_z");
   Values roll_rad, pitch_rad;
   for (std::size_t i = 0; i < w.size(); ++i) {
     const double up_y = 2.0 * (w[i] * x[i] + y[i] * z[i]);
     const double up_z = 1.0 - 2.0 * (x[i] * x[i] + y[i] * y[i]);
-    roll_rad.push_back(std::atan2(up_y, up_z));
+    const double roll = std::atan2(up_y, up_z), before = roll_rad.empty() ? roll : roll_rad.back();
+    roll_rad.push_back(before + std::remainder(roll - before, 2.0 * std::numbers::pi));
     pitch_rad.push_back(std::asin(std::clamp(2.0 * (w[i] * y[i] - z[i] * x[i]), -1.0, 1.0)));
   }
   return {roll_rad, pitch_rad};
@@ -124,9 +140,13 @@ void AddPhases(const TimedRows& rows, PlotData* data) {
     AddPhase(value, rows.Numbers(value), rows.Numbers(std::string("truth_v_WC") + axis + "mps"),
              rows.time_s(), data);
   }
-  const auto [roll_rad, pitch_rad] = RollAndPitch(rows);
-  AddPhase("truth_roll_rad", roll_rad, RatesOf(roll_rad, rows.time_s()), rows.time_s(), data);
-  AddPhase("truth_pitch_rad", pitch_rad, RatesOf(pitch_rad, rows.time_s()), rows.time_s(), data);
+  // Rates of the whole log: those of a stretch's first and last row ask for the rows beside it.
+  const Values time_s = rows.table().Numbers("time_s");
+  const auto [roll_rad, pitch_rad] = RollAndPitch(rows.table());
+  AddPhase("truth_roll_rad", rows.Cut(roll_rad), rows.Cut(RatesOf(roll_rad, time_s)), rows.time_s(),
+           data);
+  AddPhase("truth_pitch_rad", rows.Cut(pitch_rad), rows.Cut(RatesOf(pitch_rad, time_s)),
+           rows.time_s(), data);
 }
 
 // Every solve is a point: none is left out.
@@ -151,8 +171,7 @@ TimedRows::TimedRows(const CsvTable& table, const std::optional<Stretch>& stretc
   time_s_ = Values(from, to);
 }
 
-Values TimedRows::Numbers(const std::string& column) const {
-  Values values = table_.Numbers(column);
+Values TimedRows::Cut(Values values) const {
   if (values.size() == time_s_.size()) return values;
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(first_);
   return {first, first + static_cast<std::ptrdiff_t>(time_s_.size())};

@@ -2,11 +2,13 @@
 #pragma once
 // plot_curves: which curves of a run the plots draw, by the names that PlotData tells.
 
+#include <cstddef>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/plot/plot_data.h"
+#include "sim/record/run_reader.h"
 
 namespace sidestep::plot {
 
@@ -21,7 +23,15 @@ class TimedRows {
   bool has(const std::string& column) const { return table_.has(column); }
 
   /// A column's numbers in these rows; NaN for an empty cell. @throws as CsvTable::Numbers.
-  std::vector<double> Numbers(const std::string& column) const;
+  std::vector<double> Numbers(const std::string& column) const {
+    return Cut(table_.Numbers(column));
+  }
+
+  /// Of a value for each row of the table, those of these rows.
+  std::vector<double> Cut(std::vector<double> values) const;
+
+  /// All rows.
+  const CsvTable& table() const { return table_; }
 
  private:
   const CsvTable& table_;

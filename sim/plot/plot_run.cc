@@ -2,6 +2,8 @@
 #include "sim/plot/plot_run.h"
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
 #include "models/support/config_error.h"
 #include "models/support/nearest_name.h"

@@ -2,7 +2,6 @@
 #include "sim/plot/plot_script.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -19,7 +18,8 @@ constexpr double kBelow_em = 6.2;     // tics, label and air between panels and 
 constexpr double kTicX_em = 5.5;      // room that a number wants along x
 constexpr double kTicY_em = 1.9;      // along y
 constexpr double kAxisMargin = 0.05;  // of the range, beyond what is drawn
-constexpr double kLeastRange = 1e-6;  // what moves less, in any unit, stands still
+constexpr double kLeastRange = 1e-6;  // what moves less, in any unit, stands still,
+constexpr double kLeastShare = 1e-4;  // and less than that of its value, as six digits can't tell
 constexpr double kStillRange = 0.01;  // of the value, shown about it
 
 int KeyRows(const Canvas& canvas) { return canvas.is_narrow() ? 4 : 2; }
@@ -43,7 +43,8 @@ std::string ScriptText(const Canvas& canvas, const std::string& name,
          R"(set encoding utf8
 set border 3 linewidth 0.8
 set tics nomirror out scale 0.6
-set grid linecolor rgb "#B0B0B0" linewidth 0.4 dashtype solid
+set grid linecolor rgb ")" +
+         palette::kGrid + R"(" linewidth 0.4 dashtype solid
 set key noautotitle at screen 0.5,0.012 center bottom vertical maxrows )" +
          std::to_string(KeyRows(canvas)) + " Left reverse samplen 2.5 width 1\n" + definitions +
          body;
@@ -122,8 +123,9 @@ double TimeStep_s(double duration_s, double length_em) {
 std::string AxisLines(const std::string& axis, Span span, double length_em) {
   if (span.is_empty()) span = {0.0, 1.0};
   double margin = kAxisMargin * span.length();
-  if (span.length() < kLeastRange) {
-    margin = std::abs(span.max) < kLeastRange ? 1.0 : kStillRange * std::abs(span.max);
+  const double magnitude = std::max(std::abs(span.min), std::abs(span.max));
+  if (span.length() < std::max(kLeastRange, kLeastShare * magnitude)) {
+    margin = magnitude < kLeastRange ? 1.0 : kStillRange * magnitude;
   }
   const double from = span.min - margin, to = span.max + margin;
   const double room_em = axis == "x" ? kTicX_em : kTicY_em;
@@ -154,7 +156,9 @@ std::string FaintStyle(const std::string& color, const std::string& more) {
   return LineStyle("#80" + color.substr(1), more);  // gnuplot's alpha comes first: 0 is opaque
 }
 
-std::string ZeroLine() { return "0 with lines linecolor rgb \"#B0B0B0\" linewidth 0.5 notitle"; }
+std::string ZeroLine() {
+  return "0 with lines " + LineStyle(palette::kGrid, "linewidth 0.5 notitle");
+}
 
 std::string PushKey(const PlotData& data) {
   if (data.pushes.empty()) return "keyentry with points pointtype 0 title ' '";

@@ -70,7 +70,8 @@ std::string StartPanels(const PlotData& data, const std::string& title, int rows
 /// Between tics of time, so that their numbers have room on a panel of that length.
 double TimeStep_s(double duration_s, double length_em);
 
-/// Range and tics of an axis, "x" or "y", that holds `span` on a panel of that length.
+/// Range and tics of an axis, "x" or "y", that holds `span` on a panel of that length. What hardly
+/// moves, by its own size, is shown as standing still: in tics' six digits its motion has no room.
 std::string AxisLines(const std::string& axis, Span span, double length_em);
 
 /// AxisLines of y for a panel of `rows` that draws these curves and perhaps zero.

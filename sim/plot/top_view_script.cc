@@ -3,7 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/palette/palette.h"
 #include "sim/plot/plot_script.h"
@@ -15,6 +19,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kTopTicX_em = 5.5;  // room that a number wants along x, and along y
+constexpr double kTopTicY_em = 2.2;
 constexpr double kLeastMove_em = 0.6;  // a shorter arrow would be a speck
 constexpr double kAside_em = 0.9;      // of a step's number, where an arrow or a point is
 
@@ -181,8 +187,8 @@ std::string TopViewScript(const PlotData& data) {
          << "set size ratio -1\nset ylabel 'y, left (m)'\n"
          << Tables(data, view.m_per_em) << "set yrange [" << view.y.min << ":" << view.y.max
          << "]\n";
-  const double step_m = NiceStep(5.5 * view.m_per_em);
-  script << "set xtics " << step_m << "\nset ytics " << NiceStep(2.2 * view.m_per_em) << "\n";
+  script << "set xtics " << NiceStep(kTopTicX_em * view.m_per_em) << "\nset ytics "
+         << NiceStep(kTopTicY_em * view.m_per_em) << "\n";
   Labels labels(view.m_per_em);
   for (int row = 0; row < view.rows; ++row) {
     const Span x{view.x.min + row * view.length_m, view.x.min + (row + 1) * view.length_m};

@@ -2,7 +2,6 @@
 #include "sim/render/camera_path.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "models/support/require.h"
 

@@ -2,6 +2,7 @@
 #include "sim/render/caption_layout.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sidestep::render {
 namespace {
@@ -58,26 +59,46 @@ void DrawSwatch(const Caption& caption, const mjrRect& box, const Eigen::Vector3
             ground.x(), ground.y(), ground.z(), 0.0F, 1.0F, 1.0F, 1.0F, &renderer);
 }
 
-void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect viewport,
-               const mjrContext& renderer) {
+void LayOutStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect viewport,
+                 const mjrContext& renderer, std::vector<PlacedCaption>* placed) {
   const int margin_px = std::max(4, viewport.height / 48);
-  int height_px = 0, width_px = 0;  // lines of a legend are of one width
-  for (const Caption& caption : captions) {
-    if (caption.place != place) continue;
-    height_px += SizeOf(caption, renderer).height_px;
-    if (caption.swatch) width_px = std::max(width_px, SizeOf(caption, renderer).width_px);
+  std::vector<PlacedCaption> stack;
+  int height_px = 0, legend_px = 0;  // lines of a legend are of one width
+  for (const Caption& whole : captions) {
+    if (whole.place != place) continue;
+    const Caption caption = Fitted(whole, viewport.width - 2 * margin_px, renderer);
+    const TextSize size = SizeOf(caption, renderer);
+    height_px += size.height_px;
+    if (caption.swatch) legend_px = std::max(legend_px, size.width_px);
+    stack.push_back({caption, {0, 0, size.width_px, size.height_px}});
   }
   const bool is_below = place == CaptionPlace::kBottom || place == CaptionPlace::kBottomLeft;
   int top = is_below ? viewport.bottom + margin_px + height_px
                      : viewport.bottom + viewport.height - margin_px;
-  for (const Caption& whole : captions) {
-    if (whole.place != place) continue;
-    const Caption caption = Fitted(whole, viewport.width - 2 * margin_px, renderer);
-    TextSize size = SizeOf(caption, renderer);
-    size.width_px = std::max(size.width_px, width_px);
-    top -= size.height_px;
-    const mjrRect box{Left(place, viewport, margin_px, size.width_px), top, size.width_px,
-                      size.height_px};
+  for (PlacedCaption& one : stack) {
+    if (one.caption.swatch) one.box.width = legend_px;
+    top -= one.box.height;
+    one.box.bottom = top;
+    one.box.left = Left(place, viewport, margin_px, one.box.width);
+    placed->push_back(std::move(one));
+  }
+}
+
+}  // namespace
+
+std::vector<PlacedCaption> LayOutCaptions(const std::vector<Caption>& captions, mjrRect viewport,
+                                          const mjrContext& renderer) {
+  std::vector<PlacedCaption> placed;
+  for (const CaptionPlace place : {CaptionPlace::kTopLeft, CaptionPlace::kTopRight,
+                                   CaptionPlace::kBottom, CaptionPlace::kBottomLeft}) {
+    LayOutStack(captions, place, viewport, renderer, &placed);
+  }
+  return placed;
+}
+
+void DrawCaptions(const std::vector<Caption>& captions, mjrRect viewport,
+                  const mjrContext& renderer) {
+  for (const auto& [caption, box] : LayOutCaptions(captions, viewport, renderer)) {
     const Eigen::Vector3f& color = caption.background;
     if (caption.swatch) {
       DrawSwatch(caption, box, color, renderer);
@@ -85,16 +106,6 @@ void DrawStack(const std::vector<Caption>& captions, CaptionPlace place, mjrRect
     }
     mjr_label(box, caption.is_big ? mjFONT_BIG : mjFONT_NORMAL, caption.text.c_str(), color.x(),
               color.y(), color.z(), 0.85F, 1.0F, 1.0F, 1.0F, &renderer);
-  }
-}
-
-}  // namespace
-
-void DrawCaptions(const std::vector<Caption>& captions, mjrRect viewport,
-                  const mjrContext& renderer) {
-  for (const CaptionPlace place : {CaptionPlace::kTopLeft, CaptionPlace::kTopRight,
-                                   CaptionPlace::kBottom, CaptionPlace::kBottomLeft}) {
-    DrawStack(captions, place, viewport, renderer);
   }
 }
 

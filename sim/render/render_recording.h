@@ -13,9 +13,9 @@
 namespace sidestep::render {
 
 /// Draws all frames in options.jobs processes and writes `film`, a GIF if it is called so, else an
-/// MP4. The file appears whole or not at
-/// all; an older one stays until then. Parts live in a folder beside it that is removed in any
-/// case. @throws ConfigError if a size is odd or a part fails, with ffmpeg's or Mesa's words.
+/// MP4. The file appears whole or not at all; an older one stays until then. Parts live in a folder
+/// beside it that is removed in any case.
+/// @throws ConfigError if a size is odd or a part fails, with ffmpeg's or Mesa's words.
 void RenderVideo(const Recording& recording, mjModel* model, const RenderOptions& options,
                  const std::filesystem::path& film);
 

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstring>
 #include <exception>
-#include <utility>
 
 #include "models/support/config_error.h"
 

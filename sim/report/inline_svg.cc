@@ -5,9 +5,11 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "sim/palette/palette.h"
 #include "sim/report/html.h"
 
 namespace sidestep::report {
@@ -113,7 +115,7 @@ bool IsHarmless(std::string_view svg) {
 // The page's ink, light or dark, for what gnuplot draws in black or in its background's white.
 void UseThePagesInk(std::string* svg) {
   for (const std::string quote : {"'", "\""}) {
-    for (const std::string color : {"black", "rgb(  0,   0,   0)", "#000000"}) {
+    for (const std::string color : {"black", "rgb(  0,   0,   0)", palette::kPlanned}) {
       for (const std::string name : {"stroke", "fill"}) {
         ReplaceAll(name + "=" + quote + color + quote, name + "=" + quote + "currentColor" + quote,
                    svg);

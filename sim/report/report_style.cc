@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/report/report_style.h"
 
-namespace sidestep::report {
+#include <array>
+#include <string>
 
-const char* StyleSheet() {
-  return R"(
-:root { color-scheme: light dark; --page: #f5f6f8; --card: #ffffff; --ink: #1b1f24;
-  --soft: #5b6470; --line: #dde1e6; --pass: #0b6e4f; --fail: #b3261e; --other: #5f6368; }
-@media (prefers-color-scheme: dark) {
-  :root { --page: #14171b; --card: #1d2126; --ink: #e8eaed; --soft: #a2abb5; --line: #343a41;
-    --pass: #187a59; --fail: #c03d36; --other: #676d74; } }
+#include "sim/palette/palette.h"
+
+namespace sidestep::report {
+namespace {
+
+constexpr char kRules[] = R"(
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--page); color: var(--ink);
   font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
@@ -25,8 +25,7 @@ a { color: inherit; }
 td .badge { font-size: .8em; vertical-align: 0; }
 .PASS { background: var(--pass); } .FAIL { background: var(--fail); }
 .INVALID { background: var(--other); }
-.met { color: var(--pass); font-weight: 600; } .missed { color: var(--fail); font-weight: 700; }
-@media (prefers-color-scheme: dark) { .met { color: #5fd3a9; } .missed { color: #ff8a80; } }
+.met { color: var(--met); font-weight: 600; } .missed { color: var(--missed); font-weight: 700; }
 .reasons { margin: 4px 0 12px; padding: 10px 14px 10px 30px; background: var(--card);
   border: 1px solid var(--line); border-left: 4px solid var(--fail); border-radius: 6px; }
 video { display: block; width: 100%; max-width: 800px; margin: 16px auto; border-radius: 10px;
@@ -55,6 +54,39 @@ summary { cursor: pointer; font-weight: 600; }
 pre { overflow-x: auto; margin: 12px 0 0; }
 @media print { body { background: #fff; } video { display: none; } }
 )";
+
+// A variable of the style sheet and its colour.
+struct Variable {
+  const char* name;
+  palette::Shades shades;
+};
+constexpr std::array<Variable, 10> kVariables{{{"page", palette::kGround},
+                                               {"card", palette::kCard},
+                                               {"ink", palette::kInk},
+                                               {"soft", palette::kSoftInk},
+                                               {"line", palette::kRule},
+                                               {"pass", palette::kPass},
+                                               {"fail", palette::kFail},
+                                               {"other", palette::kInvalid},
+                                               {"met", palette::kMet},
+                                               {"missed", palette::kMissed}}};
+
+std::string WholeSheet() {
+  std::string light, dark;
+  for (const Variable& variable : kVariables) {
+    const std::string start = std::string(" --") + variable.name + ": ";
+    light += start + variable.shades.light + ";";
+    dark += start + variable.shades.dark + ";";
+  }
+  return "\n:root { color-scheme: light dark;" + light +
+         " }\n@media (prefers-color-scheme: dark) { :root {" + dark + " } }" + kRules;
+}
+
+}  // namespace
+
+const char* StyleSheet() {
+  static const std::string kSheet = WholeSheet();
+  return kSheet.c_str();
 }
 
 }  // namespace sidestep::report

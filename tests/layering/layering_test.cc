@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,20 @@ TEST(LayeringTest, EverySourceHasLicenceLineAndHeaderGuardAndIsShort) {
   for (const std::string& note : LongFiles(sources)) std::cout << "long file: " << note << "\n";
   const std::vector<std::string> violations = FormViolations(sources);
   EXPECT_TRUE(violations.empty()) << Listed(violations);
+}
+
+TEST(LayeringTest, ColoursStandInThePaletteAlone) {
+  const std::regex color("#[0-9A-Fa-f]{6}\\b");
+  int found_in_palette = 0;
+  for (const Source& source : ProgramSources()) {
+    const bool is_palette = source.path == "sim/palette/palette.h";
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      if (!std::regex_search(source.lines[i], color)) continue;
+      found_in_palette += is_palette;
+      EXPECT_TRUE(is_palette) << source.path << ":" << i + 1 << ": " << source.lines[i];
+    }
+  }
+  EXPECT_GT(found_in_palette, 0);
 }
 
 TEST(LayeringTest, SourcesOfEveryFloorAreSeen) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <matio.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "models/support/config_error.h"
+#include "tests/support/run_files.h"
 #include "tests/support/synthetic_run.h"
 
 namespace sidestep {
@@ -96,6 +98,32 @@ TEST_F(ExportRunTest, RefusesOtherEndingsFilesOfTheRunAndPlacesThatCantBeWritten
   for (const char* name : {"out.csv", "out.mat"}) {
     EXPECT_NE(ErrorOf(run_dir_ / "missing" / name).find("error: "), std::string::npos) << name;
   }
+}
+
+TEST_F(ExportRunTest, TellsWhichColumnHasANameThatNoRunGave) {
+  const fs::path trajectory = run_dir_ / "trajectory.csv";
+  const auto error_of = [&](const std::string& header) {
+    std::ofstream(trajectory) << header << "\n0,0,0\n1,1,1\n";
+    std::string error = ErrorOf(run_dir_ / "out.csv");
+    EXPECT_EQ(ErrorOf(run_dir_ / "out.mat"), error);
+    EXPECT_FALSE(fs::exists(run_dir_ / "out.csv") || fs::exists(run_dir_ / "out.mat"));
+    return error.substr(std::min(error.size(), trajectory.string().size()));
+  };
+  const std::string rule = "a column's name must be of letters, digits, '_', '-' or '.', found ";
+  EXPECT_EQ(error_of("time_s,wea\x1bther,b"), ":1:8: error: " + rule + "'wea?ther'");
+  EXPECT_EQ(error_of("time_s,b,x\ry"), ":1:10: error: " + rule + "'x y'");
+  EXPECT_EQ(error_of("time_s,\"b\",c"), ":1:8: error: " + rule + "'\"b\"'");
+  EXPECT_EQ(error_of("time_s,,c"), ":1:8: error: " + rule + "''");
+  EXPECT_EQ(error_of("time_s,b,b"), ":1:10: error: there is a column 'b' already");
+}
+
+TEST_F(ExportRunTest, AMatFileThatCantBeWrittenLeavesTheOlderOne) {
+  const fs::path folder = run_dir_ / "out.mat.part";  // HDF5 can't write there
+  fs::create_directory(folder);
+  std::ofstream(run_dir_ / "out.mat") << "older";
+  const std::string error = ErrorOf(run_dir_ / "out.mat");
+  EXPECT_EQ(error, (run_dir_ / "out.mat").string() + ": error: can't be written: Is a directory");
+  EXPECT_EQ(TextOf(run_dir_ / "out.mat"), "older");
 }
 
 TEST_F(ExportRunTest, RefusesATrajectoryWithoutARow) {

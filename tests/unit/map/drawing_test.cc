@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/map/pictures.h"
+#include "sim/palette/palette.h"
 #include "tests/unit/map/made_map.h"
 
 namespace sidestep::map {
@@ -84,9 +85,9 @@ TEST(PicturesTest, TicksAreRoundAndFew) {
 }
 
 TEST(PicturesTest, ReadsOnBothEndsOfAScale) {
-  EXPECT_EQ(ReadableOn(SequentialColor(0.0)), "#14171b");
-  EXPECT_EQ(ReadableOn(SequentialColor(1.0)), "#ffffff");
-  EXPECT_EQ(ReadableOn(DivergingColor(-1.0)), "#ffffff");
+  EXPECT_EQ(ReadableOn(SequentialColor(0.0)), palette::kGround.dark);
+  EXPECT_EQ(ReadableOn(SequentialColor(1.0)), palette::kCard.light);
+  EXPECT_EQ(ReadableOn(DivergingColor(-1.0)), palette::kCard.light);
   EXPECT_EQ(SequentialColor(kUnknown), ink::kGrid);
 }
 

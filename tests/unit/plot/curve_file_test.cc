@@ -103,6 +103,21 @@ TEST(CurveFileTest, APathMayTurnBack) {
   EXPECT_LE(ThinPath(samples).size(), 9U) << "corners, and what lies beside them";
 }
 
+TEST(CurveFileTest, ALongPathKeepsItsEnds) {
+  for (const int count : {20000, 40000, 45001, 59999}) {  // of none, one and more strides
+    std::vector<Sample> samples;
+    for (int i = 0; i < count; ++i) samples.push_back({std::cos(0.7 * i), std::sin(0.7 * i)});
+    const std::vector<Sample> kept = ThinPath(samples);
+    EXPECT_LE(kept.size(), 20001U);
+    for (const bool is_last : {false, true}) {
+      const Sample &end = is_last ? samples.back() : samples.front(),
+                   &drawn = is_last ? kept.back() : kept.front();
+      EXPECT_EQ(drawn.x, end.x) << count;
+      EXPECT_EQ(drawn.y, end.y) << count;
+    }
+  }
+}
+
 TEST(CurveFileTest, ScriptsReadWhatWasAdded) {
   CurveFile curves;
   curves.Add("first", {{0.0, 1.0}, {1.0, 2.0}});
