@@ -233,9 +233,7 @@ ShardReport RunShard(const SweepPlan& plan, const std::filesystem::path& folder,
   SIDESTEP_REQUIRE(options.shards >= 1 && options.shard >= 0 && options.shard < options.shards,
                    options.shard);
   SIDESTEP_REQUIRE(options.jobs >= 1, options.jobs);
-  if (!(options.time_budget_s > 0.0)) {
-    throw ConfigError("--time-budget: error: must be a number of seconds above 0");
-  }
+  SIDESTEP_REQUIRE(options.time_budget_s > 0.0, options.time_budget_s);
   return Shard(plan, folder, options, listener).Run();
 }
 

@@ -89,7 +89,7 @@ TEST_F(SweepMishapsTest, NumbersThatAreNoneAreRefused) {
   words.insert(words.end(), {"--time-budget", "nan"});
   const ProcessResult run = Sidestep(words);
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_EQ(run.err, "--time-budget: error: must be a number of seconds above 0\n");
+  EXPECT_EQ(run.err, "sidestep: error: --time-budget: 'nan' is no number above 0 (see --help)\n");
 }
 
 // What the array asks for is what the rows lack.
