@@ -3,12 +3,14 @@
 
 #include <tinyxml.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
 #include "models/import/text.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/plain_word.h"
+#include "models/support/xml_tags.h"
 
 namespace sidestep::importer {
 namespace {
@@ -48,10 +50,22 @@ std::string TextElement(const std::string& name, const std::string& data) {
   return "<text name=\"" + Attribute(name) + "\" data=\"" + Attribute(data) + "\"/>\n";
 }
 
+/// Whether the MJCF names other files: what it includes, meshes, heights, textures.
+bool NamesFiles(const std::string& file, const std::string& mjcf) {
+  XmlTags tags(file, mjcf);
+  while (const auto tag = tags.Next()) {
+    const bool has_file =
+        std::any_of(tag->attributes.begin(), tag->attributes.end(),
+                    [](const XmlAttribute& known) { return known.name.starts_with("file"); });
+    if (has_file) return true;
+  }
+  return false;
+}
+
 bool OpensOthers(const RobotDescription& robot, const std::string& yaml, const std::string& model) {
   if (yaml.find("\nmeshes:") != std::string::npos) return true;
   return robot.model->language == ModelLanguage::kMjcf &&
-         (model.find("<include") != std::string::npos || model.find("file=") != std::string::npos);
+         NamesFiles(robot.model->file.string(), model);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "models/import/read_mjcf.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "models/import/mjcf_bodies.h"
@@ -14,6 +15,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/mjcf/mjcf_message.h"
 #include "models/support/xml_bounds.h"
+#include "models/support/xml_tags.h"
 
 namespace sidestep::importer {
 namespace {
@@ -98,14 +100,9 @@ std::vector<SourceCoupling> TakeCouplings(const mjModel& model, const MjcfParts&
 }  // namespace
 
 bool IsMjcf(const std::filesystem::path& file) {
-  const std::string text = ReadXmlText(file);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; ++at) {
-    const bool is_comment = text.compare(at, 4, "<!--") == 0;
-    if (is_comment) at = std::min(text.find("-->", at), text.size() - 1);
-    if (is_comment || at + 1 >= text.size() || text[at + 1] == '?' || text[at + 1] == '!') continue;
-    return text.compare(at, 7, "<mujoco") == 0;
-  }
-  return false;
+  const std::string text = ReadXmlText(file), name = file.string();
+  const std::optional<XmlTag> outermost = XmlTags(name, text).Next();
+  return outermost && outermost->name.starts_with("mujoco");
 }
 
 SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes* notes) {

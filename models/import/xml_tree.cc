@@ -4,6 +4,7 @@
 #include <tinyxml.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "models/import/text.h"
 #include "models/mjcf/mjcf_bounds.h"
@@ -29,6 +30,7 @@ class TreeReader {
   /// @param name  As it is told; the last of open_ is the real file.
   XmlElement ReadFile(const std::filesystem::path& file, const std::string& name, int depth) {
     const std::string text = WithoutStrayBytes(ReadXmlText(file));
+    num_bytes_ += text.size();
     TiXmlDocument document;
     document.Parse(text.c_str());
     if (document.Error()) {
@@ -81,6 +83,10 @@ class TreeReader {
       problems_.AddAt(place, what + "includes itself");
     } else if (tree_.files.size() == kMaxFiles) {
       throw ConfigError(place + ": error: " + what + "is one file too many");
+    } else if (num_bytes_ + std::filesystem::file_size(found) > kMaxXmlBytes) {
+      throw ConfigError(place + ": error: " + what + "is too much: an MJCF may have " +
+                        std::to_string(kMaxXmlBytes >> 20U) +
+                        " MiB, with the files that it includes");
     } else {
       XmlElement root =
           ReadFile(found, (main_.parent_path() / name).lexically_normal().string(), depth + 1);
@@ -94,6 +100,7 @@ class TreeReader {
   XmlTree tree_;
   std::vector<std::filesystem::path> open_;
   int num_elements_{0};
+  std::uintmax_t num_bytes_{0};
 };
 
 void Write(const XmlElement& element, std::string* text, std::vector<const XmlElement*>* lines) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "models/support/xml_bounds.h"
 #include "tests/support/temp_folder.h"
 
 namespace sidestep::importer {
@@ -61,6 +62,17 @@ TEST(XmlTree, FilesThatIncludeAThousandTimesEndInOneLine) {
   for (int i = 0; i < 1001; ++i) text += "<include file=\"leaf.xml\"/>";
   const std::filesystem::path main = folder.Write("scene.xml", text + "</mujoco>");
   EXPECT_NE(folder.ErrorOf([&] { TreeOf(main); }).find("is one file too many"), std::string::npos);
+}
+
+TEST(XmlTree, BytesOfAllFilesAreCounted) {
+  const TempFolder folder;
+  const std::string half(kMaxXmlBytes / 2, ' ');
+  folder.Write("leaf.xml", "<mujoco>" + half + "</mujoco>");
+  const std::filesystem::path main = folder.Write(
+      "scene.xml", "<mujoco><include file=\"leaf.xml\"/><include file=\"leaf.xml\"/></mujoco>");
+  EXPECT_EQ(folder.ErrorOf([&] { TreeOf(main); }),
+            "scene.xml:1: error: <include file=\"leaf.xml\"> is too much: an MJCF may have 64 MiB, "
+            "with the files that it includes");
 }
 
 TEST(XmlTree, DeepFilesInsideDeepFilesEndInOneLine) {
