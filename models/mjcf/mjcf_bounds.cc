@@ -5,11 +5,9 @@
 #include <set>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "models/mjcf/mjcf_sizes.h"
 #include "models/support/xml_bounds.h"
-#include "models/support/xml_tags.h"
 
 namespace sidestep {
 namespace {
@@ -19,43 +17,29 @@ constexpr char kWithIncluded[] = ", with the files that it includes";
 /// Reads an MJCF and what it includes, and adds up.
 class BoundsChecker {
  public:
-  explicit BoundsChecker(const std::filesystem::path& mjcf) : mjcf_(mjcf) {}
+  BoundsChecker(const std::filesystem::path& mjcf, const TagVisitor& visit)
+      : mjcf_(mjcf), visit_(visit) {}
 
-  void Check() {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(mjcf_, ignored)) CheckFile({mjcf_, ReadXmlText(mjcf_), 0});
-    while (!open_.empty()) {
-      const File file = std::move(open_.back());
-      open_.pop_back();
-      CheckFile(file);
-    }
-  }
-
- private:
-  struct File {
-    std::filesystem::path path;
-    std::string text;
-    int depth{0};  ///< Of what includes it.
-  };
-
-  void CheckFile(const File& file) {
-    const std::string name = file.path.string();
-    XmlTags tags(name, file.text);
-    if (file.depth == 0) num_bytes_ = file.text.size();
+  /// @param depth  Of what includes the file.
+  void CheckFile(const std::string& file, const std::string& text, int depth) {
+    num_bytes_ += text.size();
+    XmlTags tags(file, text);
     while (const auto tag = tags.Next()) {
       if (++num_elements_ > kMaxMjcfElements) {
         tags.Fail(tag->begin, "is one element too many: an MJCF may have " +
                                   std::to_string(kMaxMjcfElements) + kWithIncluded);
       }
-      if (file.depth + tag->depth > kMaxMjcfDepth) {
+      if (depth + tag->depth > kMaxMjcfDepth) {
         tags.Fail(tag->begin, "is nested deeper than " + std::to_string(kMaxMjcfDepth) +
                                   ", with the files that include it");
       }
       sizes_.Check(tags, *tag);
-      if (IsInclude(*tag)) Include(tags, *tag, file.depth);
+      visit_(tags, *tag);
+      if (IsInclude(*tag)) Include(tags, *tag, depth + tag->depth);
     }
   }
 
+ private:
   /// MuJoCo refuses a name that is there twice; another name of the same file is another file.
   void Include(const XmlTags& tags, const XmlTag& tag, int depth) {
     const std::string_view* value = tag.Find("file");
@@ -65,21 +49,20 @@ class BoundsChecker {
     if (!names_.insert(*name).second) return;
     const std::filesystem::path path = IncludedFile(mjcf_, *name);
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return;
     if (!std::filesystem::is_regular_file(path, ignored)) {
-      tags.Fail(tag.begin, "<include> of '" + *name + "', which is no file");
+      tags.Fail(tag.begin, "<include> of '" + *name + "', which is no file in the folder of " +
+                               mjcf_.filename().string());
     }
-    File file{path, ReadXmlText(path), depth + tag.depth};
-    num_bytes_ += file.text.size();
-    if (num_bytes_ > kMaxXmlBytes) {
+    const std::string text = ReadXmlText(path);
+    if (num_bytes_ + text.size() > kMaxXmlBytes) {
       tags.Fail(tag.begin, "<include> of '" + *name + "' is too much: an MJCF may have " +
                                std::to_string(kMaxXmlBytes >> 20U) + " MiB" + kWithIncluded);
     }
-    open_.push_back(std::move(file));
+    CheckFile(path.string(), text, depth);
   }
 
   const std::filesystem::path& mjcf_;
-  std::vector<File> open_;
+  const TagVisitor& visit_;
   std::set<std::string> names_;  ///< Of includes, as they are written.
   MjcfSizes sizes_;
   std::size_t num_bytes_{0};
@@ -93,6 +76,14 @@ std::filesystem::path IncludedFile(const std::filesystem::path& mjcf, const std:
   return folder.empty() ? name : folder + "/" + name;
 }
 
-void CheckMjcfBounds(const std::filesystem::path& mjcf) { BoundsChecker(mjcf).Check(); }
+void VisitMjcf(const std::filesystem::path& mjcf, const TagVisitor& visit) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(mjcf, ignored)) return;
+  BoundsChecker(mjcf, visit).CheckFile(mjcf.string(), ReadXmlText(mjcf), 0);
+}
+
+void CheckMjcfBounds(const std::filesystem::path& mjcf) {
+  VisitMjcf(mjcf, [](const XmlTags& /*tags*/, const XmlTag& /*tag*/) {});
+}
 
 }  // namespace sidestep

@@ -55,6 +55,9 @@ class XmlTags {
   /// declaration with a '>' before its end, and at more attributes than kMaxXmlAttributes.
   std::optional<XmlTag> Next();
 
+  const std::string& file() const { return file_; }
+  std::string_view text() const { return text_; }
+
   /// Throws ConfigError at a byte of the text, such as a tag's begin.
   [[noreturn]] void Fail(std::size_t at, const std::string& what) const;
 

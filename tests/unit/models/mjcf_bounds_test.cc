@@ -119,7 +119,9 @@ TEST_F(MjcfBoundsTest, BytesOfAllFilesAreCounted) {
 
 TEST_F(MjcfBoundsTest, OnlyFilesAreIncluded) {
   EXPECT_EQ(ErrorOf("<mujoco><include file='.'/></mujoco>"),
-            "a.xml:1:9: error: <include> of '.', which is no file");
+            "a.xml:1:9: error: <include> of '.', which is no file in the folder of a.xml");
+  EXPECT_EQ(ErrorOf("<mujoco><include file='b.xml'/></mujoco>"),
+            "a.xml:1:9: error: <include> of 'b.xml', which is no file in the folder of a.xml");
 }
 
 TEST_F(MjcfBoundsTest, NamesArePlainWords) {
