@@ -9,6 +9,7 @@
 #include "models/import/text.h"
 #include "models/mjcf/mjcf_bounds.h"
 #include "models/support/xml_bounds.h"
+#include "models/urdf_to_mjcf/urdf_document.h"
 
 namespace sidestep::importer {
 namespace {
@@ -32,6 +33,7 @@ class TreeReader {
     const std::string text = WithoutStrayBytes(ReadXmlText(file));
     num_bytes_ += text.size();
     TiXmlDocument document;
+    document.SetTabSize(1);  // columns count bytes
     document.Parse(text.c_str());
     if (document.Error()) {
       throw ConfigError(name, std::max(document.ErrorRow(), 1), std::max(document.ErrorCol(), 1),
@@ -49,7 +51,7 @@ class TreeReader {
   void Take(const TiXmlElement& from, std::size_t file, int depth, XmlElement* to) {
     to->tag = from.ValueStr();
     to->file = file;
-    to->line = from.Row();
+    to->place = PlaceOf(from);
     if (depth > kMaxMjcfDepth || ++num_elements_ > kMaxXmlElements) {
       throw ConfigError(tree_.Place(*to) + ": error: there are too many elements, or too deep " +
                         "inside each other, with the files that are included");
@@ -68,7 +70,7 @@ class TreeReader {
 
   void Include(const TiXmlElement& element, std::size_t file, int depth, XmlElement* to) {
     const char* name = element.Attribute("file");
-    const std::string place = tree_.files[file] + ":" + std::to_string(element.Row());
+    const std::string place = AtPlace(tree_.files[file], PlaceOf(element));
     const std::string what = "<include file=\"" + std::string(name == nullptr ? "" : name) + "\"> ";
     std::string why;
     std::filesystem::path found = files_.FindFile(name == nullptr ? "" : name, &why);
@@ -140,7 +142,7 @@ void XmlElement::Erase(const std::string& name) {
 }
 
 std::string XmlTree::Place(const XmlElement& element) const {
-  return files[element.file] + (element.line > 0 ? ":" + std::to_string(element.line) : "");
+  return AtPlace(files[element.file], element.place);
 }
 
 XmlTree ReadXmlTree(const std::filesystem::path& file, const MeshFiles& files) {
