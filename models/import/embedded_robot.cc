@@ -4,11 +4,10 @@
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdint>
 
 #include "models/import/text.h"
 #include "models/mjcf/mjcf.h"
+#include "models/support/hash_text.h"
 #include "models/support/plain_word.h"
 #include "models/support/xml_tags.h"
 
@@ -20,21 +19,12 @@ constexpr char kEnd[] = "</custom>\n";
 constexpr char kFile[] = "sidestep file ";  // of the texts' names
 constexpr char kChecksum[] = "sidestep checksum";
 
-/// FNV-1a of 64 bits: against an editor's hand, not against malice.
+/// Against an editor's hand, not against malice.
 std::string ChecksumOf(const std::string& mjcf, const RobotFiles& files) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&](const std::string& text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  };
-  add(mjcf);
-  for (const auto& [name, text] : files) {
-    add(name + '\n');
-    add(text);
-  }
-  std::string digits(16, '0');
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16);
-  digits.resize(static_cast<std::size_t>(end - digits.data()));
-  return digits;
+  std::string all = mjcf;
+  for (const auto& [name, text] : files) all += name + '\n' + text;
+  const std::string digits = HashText(all);
+  return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
 /// As an attribute's value that keeps its line ends.

@@ -30,8 +30,7 @@ constexpr std::array<double, 4> kSpreads_rad{0.15, 0.25, 0.4, 0.6};
 constexpr double kFeetApart_m = 0.02;  // least gap between the soles
 
 std::string PlainName(const std::string& name) {
-  std::string word;
-  for (const char c : name) word += kPlainCharacters.find(c) == std::string_view::npos ? '_' : c;
+  const std::string word = PlainCharactersOf(name);
   return IsPlainWord(word) ? word : "robot";
 }
 

@@ -61,8 +61,7 @@ class BodyTaker {
   }
 
   std::string Unused(const std::string& text) {
-    std::string word;
-    for (const char c : text) word += kPlainCharacters.find(c) == std::string_view::npos ? '_' : c;
+    std::string word = PlainCharactersOf(text);
     word.resize(std::min(word.size(), kMaxWordLength / 2));
     if (!IsPlainWord(word)) word = "part" + word;
     std::string unused = word;

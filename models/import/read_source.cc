@@ -10,7 +10,7 @@
 
 #include "models/import/xml_values.h"
 #include "models/support/xml_bounds.h"
-#include "models/urdf_to_mjcf/urdf_document.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 #include "models/urdf_to_mjcf/urdf_elements.h"
 #include "models/urdf_to_mjcf/urdf_graph.h"
 
@@ -189,14 +189,8 @@ class SourceReader {
 }  // namespace
 
 SourceRobot ReadSource(const std::filesystem::path& urdf, Notes* notes) {
-  const std::string text = WithoutStrayBytes(ReadXmlText(urdf));
   TiXmlDocument document;
-  document.SetTabSize(1);  // columns count bytes
-  document.Parse(text.c_str());
-  if (document.Error()) {
-    throw ConfigError(urdf.string(), std::max(document.ErrorRow(), 1),
-                      std::max(document.ErrorCol(), 1), document.ErrorDesc());
-  }
+  ParseXml(urdf.string(), ReadXmlText(urdf), &document);
   if (document.RootElement() == nullptr) throw ConfigError(urdf.string() + ": error: is no URDF");
   return SourceReader(urdf, notes).Read(*document.RootElement());
 }

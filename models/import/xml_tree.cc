@@ -9,7 +9,7 @@
 #include "models/import/text.h"
 #include "models/mjcf/mjcf_bounds.h"
 #include "models/support/xml_bounds.h"
-#include "models/urdf_to_mjcf/urdf_document.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 
 namespace sidestep::importer {
 namespace {
@@ -30,15 +30,10 @@ class TreeReader {
  private:
   /// @param name  As it is told; the last of open_ is the real file.
   XmlElement ReadFile(const std::filesystem::path& file, const std::string& name, int depth) {
-    const std::string text = WithoutStrayBytes(ReadXmlText(file));
+    const std::string text = ReadXmlText(file);
     num_bytes_ += text.size();
     TiXmlDocument document;
-    document.SetTabSize(1);  // columns count bytes
-    document.Parse(text.c_str());
-    if (document.Error()) {
-      throw ConfigError(name, std::max(document.ErrorRow(), 1), std::max(document.ErrorCol(), 1),
-                        document.ErrorDesc());
-    }
+    ParseXml(name, text, &document);
     if (document.RootElement() == nullptr) throw ConfigError(name + ": error: is no MJCF");
     tree_.files.push_back(name);
     open_.push_back(std::filesystem::weakly_canonical(file));

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "models/support/parse_number.h"
-#include "models/urdf_to_mjcf/urdf_document.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 
 namespace sidestep::importer {
 namespace {
