@@ -75,6 +75,17 @@ TEST(ReadSource, RefusesLoopsAndForests) {
             std::string::npos);
 }
 
+TEST(ReadSource, CharacterReferencesAreUtf8) {
+  const TempFolder folder;
+  Notes notes;
+  EXPECT_EQ(ReadSource(folder.Write("robot.urdf",
+                                    "<robot name=\"gr&#252;n\"><link "
+                                    "name=\"a\"/></robot>"),
+                       &notes)
+                .name,
+            "gr\xC3\xBCn");
+}
+
 TEST(ReadSource, SurvivesHostileFiles) {
   std::string deep = "<robot name=\"r\">";
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
