@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "controller/estimator/low_pass.h"
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 
 namespace sidestep {
 namespace {

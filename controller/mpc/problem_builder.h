@@ -12,10 +12,10 @@
 #include "controller/mpc/knot_grid.h"
 #include "controller/mpc/problem/centroidal_ocp.h"
 #include "controller/types/contact_plan.h"
-#include "controller/types/gravity.h"
 #include "controller/types/mpc_params.h"
 #include "controller/types/robot_state.h"
 #include "controller/types/tick.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::mpc {
 

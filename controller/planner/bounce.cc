@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 
 namespace sidestep {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 
 namespace sidestep {
 

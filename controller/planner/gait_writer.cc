@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "controller/planner/bounce.h"
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "models/support/require.h"
 
 namespace sidestep {

@@ -13,6 +13,9 @@
 
 namespace sidestep::importer {
 
+/// Limbs nearer than that to the middle have no side.
+inline constexpr double kLeastLateral_m = 0.01;
+
 class Branches {
  public:
   /// `robot` must outlive this.

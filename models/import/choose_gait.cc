@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "models/import/text.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::importer {
 namespace {
 
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kKnot_s = 0.05;  // of the MPC in robot.yaml; the gait's times are whole ones
 
 // Over 1 / omega, over the leg's length and over the CoM's height.

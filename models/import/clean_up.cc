@@ -76,8 +76,8 @@ class Cleaner {
         most_kg = mass_kg;
       }
       if (heaviest < 0) {
-        problems_.Add(Link(robot_.root).line, "the root '" + Link(robot_.root).name +
-                                                  "' has no mass, nor has what is fixed to it");
+        problems_.Add(Link(robot_.root).place, "the root '" + Link(robot_.root).name +
+                                                   "' has no mass, nor has what is fixed to it");
         problems_.ThrowIfAny();
       }
       SourceJoint& joint = robot_.joints[static_cast<std::size_t>(heaviest)];
@@ -164,7 +164,7 @@ class Cleaner {
           solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
       link->note = "had " + numbers + ": the smaller ones were raised";
     }
-    mended_.push_back("line " + std::to_string(link->line) + ": link '" + link->name + "' " +
+    mended_.push_back("line " + std::to_string(link->place.line) + ": link '" + link->name + "' " +
                       link->note);
   }
 

@@ -3,12 +3,13 @@
 
 #include <tinyxml.h>
 
-#include <charconv>
-#include <cstdint>
+#include <algorithm>
 
 #include "models/import/text.h"
 #include "models/mjcf/mjcf.h"
+#include "models/support/hash_text.h"
 #include "models/support/plain_word.h"
+#include "models/support/xml_tags.h"
 
 namespace sidestep::importer {
 namespace {
@@ -18,21 +19,12 @@ constexpr char kEnd[] = "</custom>\n";
 constexpr char kFile[] = "sidestep file ";  // of the texts' names
 constexpr char kChecksum[] = "sidestep checksum";
 
-/// FNV-1a of 64 bits: against an editor's hand, not against malice.
+/// Against an editor's hand, not against malice.
 std::string ChecksumOf(const std::string& mjcf, const RobotFiles& files) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&](const std::string& text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  };
-  add(mjcf);
-  for (const auto& [name, text] : files) {
-    add(name + '\n');
-    add(text);
-  }
-  std::string digits(16, '0');
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16);
-  digits.resize(static_cast<std::size_t>(end - digits.data()));
-  return digits;
+  std::string all = mjcf;
+  for (const auto& [name, text] : files) all += name + '\n' + text;
+  const std::string digits = HashText(all);
+  return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
 /// As an attribute's value that keeps its line ends.
@@ -48,10 +40,22 @@ std::string TextElement(const std::string& name, const std::string& data) {
   return "<text name=\"" + Attribute(name) + "\" data=\"" + Attribute(data) + "\"/>\n";
 }
 
+/// Whether the MJCF names other files: what it includes, meshes, heights, textures.
+bool NamesFiles(const std::string& file, const std::string& mjcf) {
+  XmlTags tags(file, mjcf);
+  while (const auto tag = tags.Next()) {
+    const bool has_file =
+        std::any_of(tag->attributes.begin(), tag->attributes.end(),
+                    [](const XmlAttribute& known) { return known.name.starts_with("file"); });
+    if (has_file) return true;
+  }
+  return false;
+}
+
 bool OpensOthers(const RobotDescription& robot, const std::string& yaml, const std::string& model) {
   if (yaml.find("\nmeshes:") != std::string::npos) return true;
   return robot.model->language == ModelLanguage::kMjcf &&
-         (model.find("<include") != std::string::npos || model.find("file=") != std::string::npos);
+         NamesFiles(robot.model->file.string(), model);
 }
 
 }  // namespace

@@ -19,19 +19,18 @@
 #include "models/import/write_robot_yaml.h"
 #include "models/import/write_scenarios.h"
 #include "models/import/write_urdf.h"
+#include "models/support/gravity.h"
 #include "models/support/plain_word.h"
 
 namespace sidestep::importer {
 namespace {
 
-constexpr double kEarth_mps2 = 9.81;
 // How far the arms hang from the body: the first of these with which they touch nothing.
 constexpr std::array<double, 4> kSpreads_rad{0.15, 0.25, 0.4, 0.6};
 constexpr double kFeetApart_m = 0.02;  // least gap between the soles
 
 std::string PlainName(const std::string& name) {
-  std::string word;
-  for (const char c : name) word += kPlainCharacters.find(c) == std::string_view::npos ? '_' : c;
+  const std::string word = PlainCharactersOf(name);
   return IsPlainWord(word) ? word : "robot";
 }
 
@@ -163,7 +162,7 @@ class Import {
 
   void ChooseFigures() {
     it_.mass_kg = TotalMass_kg(it_.robot);
-    const double gravity_Nm = it_.mass_kg * kEarth_mps2 * it_.start.com_height_m;
+    const double gravity_Nm = it_.mass_kg * kGravity_mps2 * it_.start.com_height_m;
     const bool on_points = it_.plan.stands_on_points();
     it_.gait = ChooseGait(it_.start, on_points);
     it_.motors =

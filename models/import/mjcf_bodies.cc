@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "models/import/mjcf_pose.h"
+#include "models/import/mjcf_root.h"
 #include "models/import/text.h"
 #include "models/support/plain_word.h"
 #include "models/support/require.h"
@@ -30,7 +31,7 @@ class BodyTaker {
   }
 
   MjcfBodies Take() {
-    const int root = FindRoot();
+    const int root = RootBody(m_, &notes_);
     if (root < 0) {
       problems_.AddAt(file_, "has no robot: no body in the world carries hinges");
       problems_.ThrowIfAny();
@@ -61,37 +62,12 @@ class BodyTaker {
   }
 
   std::string Unused(const std::string& text) {
-    std::string word;
-    for (const char c : text) word += kPlainCharacters.find(c) == std::string_view::npos ? '_' : c;
+    std::string word = PlainCharactersOf(text);
     word.resize(std::min(word.size(), kMaxWordLength / 2));
     if (!IsPlainWord(word)) word = "part" + word;
     std::string unused = word;
     for (int i = 2; !used_.insert(unused).second; ++i) unused = word + "_" + std::to_string(i);
     return unused;
-  }
-
-  int FindRoot() {
-    int root = -1;
-    std::vector<std::string> others;
-    for (int body = 1; body < m_.nbody; ++body) {
-      if (m_.body_parentid[body] != 0) continue;
-      bool has_hinges = false;
-      for (int joint = 0; joint < m_.njnt; ++joint) {
-        const bool is_own = m_.jnt_bodyid[joint] == body;
-        has_hinges = has_hinges || (m_.body_rootid[m_.jnt_bodyid[joint]] == body && !is_own);
-      }
-      if (has_hinges && (root < 0 || m_.body_subtreemass[body] > m_.body_subtreemass[root])) {
-        root = body;
-      }
-      const char* name = mj_id2name(&m_, mjOBJ_BODY, body);
-      others.emplace_back(name == nullptr ? "unnamed" : name);
-    }
-    if (root >= 0 && others.size() > 1) {
-      const char* name = mj_id2name(&m_, mjOBJ_BODY, root);
-      std::erase(others, name == nullptr ? "unnamed" : name);
-      notes_.push_back("left out what else is in the world: " + Listed(others));
-    }
-    return root;
   }
 
   /// The root floats, whatever its joints; its link's axes are the world's.

@@ -16,7 +16,7 @@ constexpr std::array<const char*, 6> kPose{"pos", "quat", "axisangle", "xyaxes",
 
 /// A body with nothing but the element's pose.
 XmlElement PoseOnly(const XmlElement& element) {
-  XmlElement body{"body", {}, {}, element.file, element.line};
+  XmlElement body{"body", {}, {}, element.file, element.place};
   for (const char* key : kPose) {
     if (element.Find(key) != nullptr) body.Set(key, element.Text(key));
   }

@@ -53,7 +53,7 @@ class MeshResolver {
              {{"name", mesh->Text("name")}, {"vertex", kTetrahedron}},
              {},
              mesh->file,
-             mesh->line};
+             mesh->place};
   }
 
   bool has_missing() const { return !missing_.empty(); }

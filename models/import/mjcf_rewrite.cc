@@ -88,7 +88,7 @@ class Rewriter {
     newer_.Mend("mujoco", &copy);
     XmlElement& to = Part("compiler");
     to.file = copy.file;
-    to.line = copy.line;
+    to.place = copy.place;
     for (const auto& [name, value] : copy.attributes) to.Set(name, value);
     is_always_from_geoms_ = to.Text("inertiafromgeom") == "true";
   }
@@ -152,7 +152,7 @@ class Rewriter {
         return;
       }
       if (has_inertial) {
-        XmlElement nothing{"inertial", {}, {}, from.file, from.line};
+        XmlElement nothing{"inertial", {}, {}, from.file, from.place};
         nothing.attributes = {{"pos", "0 0 0"}, {"mass", "0"}, {"diaginertia", "0 0 0"}};
         body.children.push_back(std::move(nothing));
       }
@@ -199,7 +199,7 @@ class Rewriter {
   /// A pair is looked at to see which shapes collide.
   void TakePair(const XmlElement& pair) {
     if (pair.tag != "pair") return;
-    XmlElement copy{"pair", {}, {}, pair.file, pair.line};
+    XmlElement copy{"pair", {}, {}, pair.file, pair.place};
     for (const char* geom : {"geom1", "geom2"}) copy.Set(geom, pair.Text(geom));
     Part("contact").children.push_back(std::move(copy));
   }

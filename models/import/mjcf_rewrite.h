@@ -26,14 +26,15 @@ namespace sidestep::importer {
 struct Coupling {
   std::vector<std::string> joints;  ///< Names; or ...
   std::vector<std::string> bodies;  ///< ... two, and it is all joints between them.
-  std::string place;                ///< `file:line`.
+  std::string place;                ///< `file:line:column`.
   std::string what;                 ///< A sentence about it.
 };
 
 struct MjcfParts {
-  XmlElement root;                            ///< The document to be compiled.
-  std::map<std::string, std::string> places;  ///< `file:line` of "body NAME" and "joint NAME".
-  std::set<std::string> mimics;               ///< Joints that an equality ties to others.
+  XmlElement root;  ///< The document to be compiled.
+  std::map<std::string, std::string>
+      places;                    ///< `file:line:column` of "body NAME" and "joint NAME".
+  std::set<std::string> mimics;  ///< Joints that an equality ties to others.
   std::vector<Coupling> couplings;
 };
 

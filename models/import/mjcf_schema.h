@@ -14,10 +14,7 @@ class MjcfSchema {
   /// Reads what mj_printSchema() prints.
   MjcfSchema();
 
-  /// Whether `tag` may stand in `parent`; of worldbody, bodies and their bodies the one is "body".
-  bool HasElement(const std::string& parent, const std::string& tag) const {
-    return attributes_.count({parent, tag}) > 0;
-  }
+  /// Whether `tag` may have it in `parent`; of worldbody, bodies and their bodies that is "body".
   bool HasAttribute(const std::string& parent, const std::string& tag,
                     const std::string& attribute) const;
 

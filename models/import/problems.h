@@ -7,20 +7,24 @@
 #include <vector>
 
 #include "models/support/config_error.h"
+#include "models/support/text_place.h"
 
 namespace sidestep::importer {
 
-/// Lines `file:line: error: ...` of one file.
+/// `file:line:column`; the file alone where the line is unknown.
+inline std::string AtPlace(const std::string& file, const TextPlace& place) {
+  if (place.line < 1) return file;
+  return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+/// Lines `file:line:column: error: ...` of one file.
 class Problems {
  public:
   explicit Problems(std::string file) : file_(std::move(file)) {}
 
-  /// @param line  From 1; 0 where no line is to blame.
-  void Add(int line, const std::string& what) {
-    AddAt(line > 0 ? file_ + ":" + std::to_string(line) : file_, what);
-  }
+  void Add(const TextPlace& place, const std::string& what) { AddAt(AtPlace(file_, place), what); }
 
-  /// @param place  `file:line`, where it is another file.
+  /// @param place  `file:line:column`, where it is another file.
   void AddAt(const std::string& place, const std::string& what) {
     lines_.push_back(place + ": error: " + what);
   }

@@ -2,6 +2,7 @@
 #include "models/import/read_mjcf.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "models/import/mjcf_bodies.h"
@@ -14,6 +15,7 @@
 #include "models/mjcf/mjcf.h"
 #include "models/mjcf/mjcf_message.h"
 #include "models/support/xml_bounds.h"
+#include "models/support/xml_tags.h"
 
 namespace sidestep::importer {
 namespace {
@@ -29,12 +31,12 @@ void Count(const XmlElement& element, std::size_t* bodies, std::size_t* parts) {
   for (const XmlElement& child : element.children) Count(child, bodies, parts);
 }
 
-void RefuseCrowds(const XmlElement& root, const std::string& file) {
+void RefuseCrowds(const XmlElement& root, const std::string& place) {
   std::size_t bodies = 0, parts = 0;
   Count(root, &bodies, &parts);
   const bool is_bodies = bodies > kMaxBodies;
   if (!is_bodies && parts <= kMaxParts) return;
-  throw ConfigError(file + ": error: has more than " +
+  throw ConfigError(place + ": error: has more than " +
                     std::to_string(is_bodies ? kMaxBodies : kMaxParts) +
                     (is_bodies ? " bodies" : " elements of robots and scenery"));
 }
@@ -51,21 +53,25 @@ MjModelPtr Compile(const XmlTree& tree, const XmlElement& root) {
     if (message.what.starts_with(kHead)) message.what.erase(0, kHead.size());
     const auto line = static_cast<std::size_t>(message.line);
     const bool is_known = line >= 1 && line <= lines.size();
-    throw ConfigError(std::vector{(is_known ? tree.Place(*lines[line - 1]) : tree.files.front()) +
-                                  ": error: " + message.what});
+    throw ConfigError(
+        std::vector{(is_known ? tree.Place(*lines[line - 1]) : tree.Place(tree.root)) +
+                    ": error: " + message.what});
   }
 }
 
 /// A robot in millimetres, or scattered over the world, is a mistake to be told here.
-void RefuseDistances(const SourceRobot& robot, const std::string& file, Problems* problems) {
+void RefuseDistances(const SourceRobot& robot, const MjcfParts& parts, const std::string& place,
+                     Problems* problems) {
   for (const SourceJoint& joint : robot.joints) {
     const SourceLink& link = robot.links[static_cast<std::size_t>(joint.child)];
     const double most_m = std::max(joint.X_PC.translation().cwiseAbs().maxCoeff(),
                                    link.mass.com_m.cwiseAbs().maxCoeff());
     if (most_m <= kMostDistance_m) continue;
-    problems->AddAt(file, "body '" + link.name + "' or its CoM is " + Figure(most_m, 3) +
-                              " m away, which is more than " + Figure(kMostDistance_m) +
-                              "; lengths are in metres");
+    const auto known = parts.places.find("body " + link.name);
+    problems->AddAt(known == parts.places.end() ? place : known->second,
+                    "body '" + link.name + "' or its CoM is " + Figure(most_m, 3) +
+                        " m away, which is more than " + Figure(kMostDistance_m) +
+                        "; lengths are in metres");
   }
   problems->ThrowIfAny();
 }
@@ -98,14 +104,9 @@ std::vector<SourceCoupling> TakeCouplings(const mjModel& model, const MjcfParts&
 }  // namespace
 
 bool IsMjcf(const std::filesystem::path& file) {
-  const std::string text = ReadXmlText(file);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; ++at) {
-    const bool is_comment = text.compare(at, 4, "<!--") == 0;
-    if (is_comment) at = std::min(text.find("-->", at), text.size() - 1);
-    if (is_comment || at + 1 >= text.size() || text[at + 1] == '?' || text[at + 1] == '!') continue;
-    return text.compare(at, 7, "<mujoco") == 0;
-  }
-  return false;
+  const std::string text = ReadXmlText(file), name = file.string();
+  const std::optional<XmlTag> outermost = XmlTags(name, text).Next();
+  return outermost && outermost->name.starts_with("mujoco");
 }
 
 SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes* notes) {
@@ -114,10 +115,10 @@ SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes*
   if (tree.root.tag != "mujoco") problems.AddAt(tree.Place(tree.root), "is no <mujoco>");
   const MjcfParts parts = RewriteMjcf(tree, files, &problems, notes);
   problems.ThrowIfAny();
-  RefuseCrowds(parts.root, file.string());
+  RefuseCrowds(parts.root, tree.Place(tree.root));
   const MjModelPtr model = Compile(tree, parts.root);
-  MjcfBodies bodies = TakeBodies(*model, parts, file.string(), &problems, notes);
-  RefuseDistances(bodies.robot, file.string(), &problems);
+  MjcfBodies bodies = TakeBodies(*model, parts, tree.Place(tree.root), &problems, notes);
+  RefuseDistances(bodies.robot, parts, tree.Place(tree.root), &problems);
   TakeShapes(*model, &bodies, files, notes);
   TakeMotors(*model, &bodies, notes);
   bodies.robot.couplings = TakeCouplings(*model, parts, bodies);

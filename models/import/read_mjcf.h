@@ -18,7 +18,7 @@ namespace sidestep::importer {
 bool IsMjcf(const std::filesystem::path& file);
 
 /// Reads. `files` gets the meshes. Throws ConfigError with every problem that was found before
-/// MuJoCo's compiler, else with the one that it stopped at; each as `file:line: error: ...`.
+/// MuJoCo's compiler, else with the one that it stopped at; each as `file:line:column: error: ...`.
 SourceRobot ReadMjcf(const std::filesystem::path& file, MeshFiles* files, Notes* notes);
 
 }  // namespace sidestep::importer

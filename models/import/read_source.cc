@@ -10,6 +10,7 @@
 
 #include "models/import/xml_values.h"
 #include "models/support/xml_bounds.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 #include "models/urdf_to_mjcf/urdf_elements.h"
 #include "models/urdf_to_mjcf/urdf_graph.h"
 
@@ -23,7 +24,7 @@ class SourceReader {
 
   SourceRobot Read(const TiXmlElement& root) {
     if (root.ValueStr() != "robot") {
-      problems_.Add(root.Row(), "the outermost element must be <robot>");
+      problems_.Add(PlaceOf(root), "the outermost element must be <robot>");
       problems_.ThrowIfAny();
     }
     if (const char* name = root.Attribute("name")) robot_.name = name;
@@ -40,11 +41,11 @@ class SourceReader {
          e = e->NextSiblingElement("joint")) {
       ReadJoint(*e);
     }
-    if (robot_.links.empty()) problems_.Add(root.Row(), "has no links");
+    if (robot_.links.empty()) problems_.Add(PlaceOf(root), "has no links");
     problems_.ThrowIfAny();
     DropFloatingRoot();
     const std::string fault = ConnectLinks(&robot_);
-    if (!fault.empty()) problems_.Add(0, fault);
+    if (!fault.empty()) problems_.Add(PlaceOf(root), fault);
     problems_.ThrowIfAny();
     for (const auto& [tag, count] : passed_over_) {
       notes_->push_back("passed over " + std::to_string(count) + " <" + tag + ">");
@@ -64,7 +65,7 @@ class SourceReader {
 
   void ReadLink(const TiXmlElement& element) {
     SourceLink link;
-    link.line = element.Row();
+    link.place = PlaceOf(element);
     link.name = values_.Name(element);
     if (!links_.insert({link.name, static_cast<int>(robot_.links.size())}).second) {
       values_.Add(element, "= '" + link.name + "' is there twice");
@@ -90,7 +91,7 @@ class SourceReader {
   void ReadShapes(const TiXmlElement& link, const char* tag, std::vector<SourceShape>* shapes) {
     for (const TiXmlElement* e = link.FirstChildElement(tag); e; e = e->NextSiblingElement(tag)) {
       SourceShape shape;
-      shape.line = e->Row();
+      shape.place = PlaceOf(*e);
       if (const char* name = e->Attribute("name")) shape.name = name;
       shape.X_LS = values_.Pose(*e);
       if (!values_.Geometry(*e, &shape)) continue;
@@ -107,7 +108,7 @@ class SourceReader {
 
   void ReadJoint(const TiXmlElement& element) {
     SourceJoint joint;
-    joint.line = element.Row();
+    joint.place = PlaceOf(element);
     joint.name = values_.Name(element);
     if (!joint_names_.insert(joint.name).second) {
       values_.Add(element, "= '" + joint.name + "' is there twice");
@@ -157,7 +158,7 @@ class SourceReader {
                       [&](const SourceJoint& other) { return other.parent == joint.parent; });
     const SourceLink& world = robot_.links[static_cast<std::size_t>(joint.parent)];
     if (floating_.size() > 1 || !is_root || children != 1 || world.has_mass()) {
-      problems_.Add(joint.line,
+      problems_.Add(joint.place,
                     "joint '" + joint.name +
                         "' floats; only the one between a world without mass and the robot may");
       problems_.ThrowIfAny();
@@ -188,13 +189,8 @@ class SourceReader {
 }  // namespace
 
 SourceRobot ReadSource(const std::filesystem::path& urdf, Notes* notes) {
-  const std::string text = WithoutStrayBytes(ReadXmlText(urdf));
   TiXmlDocument document;
-  document.Parse(text.c_str());
-  if (document.Error()) {
-    throw ConfigError(urdf.string(), std::max(document.ErrorRow(), 1),
-                      std::max(document.ErrorCol(), 1), document.ErrorDesc());
-  }
+  ParseXml(urdf.string(), ReadXmlText(urdf), &document);
   if (document.RootElement() == nullptr) throw ConfigError(urdf.string() + ": error: is no URDF");
   return SourceReader(urdf, notes).Read(*document.RootElement());
 }

@@ -30,8 +30,7 @@ double LowestPoint(const SourceShape& shape, const Eigen::Isometry3d& X_WL) {
 
 /// `name` without what does not belong in a file's name.
 std::string FileWord(const std::string& name) {
-  std::string word;
-  for (const char c : name) word += kPlainCharacters.find(c) == std::string_view::npos ? '_' : c;
+  const std::string word = PlainCharactersOf(name);
   return IsPlainWord(word) ? word : "mesh_" + word.substr(0, kMaxWordLength / 2);
 }
 

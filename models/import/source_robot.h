@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "models/support/text_place.h"
 #include "models/urdf_to_mjcf/mass_properties.h"
 
 namespace sidestep::importer {
@@ -28,7 +29,7 @@ struct SourceShape {
   Eigen::Vector3d scale{Eigen::Vector3d::Ones()};  ///< Of the mesh; negative mirrors.
   Eigen::Isometry3d X_LS{Eigen::Isometry3d::Identity()};
   std::optional<Eigen::Vector4d> rgba;
-  int line{0};
+  TextPlace place;
   std::string note;  ///< Why it differs from the maker's; becomes a comment.
 };
 
@@ -37,7 +38,7 @@ struct SourceLink {
   MassProperties mass;  ///< In the link's frame; mass_kg 0: a frame.
   std::vector<SourceShape> visuals;
   std::vector<SourceShape> collisions;
-  int line{0};
+  TextPlace place;
   std::string note;
 
   bool has_mass() const { return mass.mass_kg > 0.0; }
@@ -61,7 +62,7 @@ struct SourceJoint {
   double servo_stiffness_Nm_per_rad{0.0};  ///< Likewise, of a <position>.
   double servo_damping_Nms_per_rad{0.0};
   bool is_mimic{false};  ///< Follows another joint.
-  int line{0};
+  TextPlace place;
   std::string note;
 
   bool is_moving() const { return kind != JointKind::kFixed; }
@@ -71,7 +72,7 @@ struct SourceJoint {
 /// What a robot of ours can't have between joints that move.
 struct SourceCoupling {
   std::vector<int> joints;
-  std::string place;  ///< `file:line`.
+  std::string place;  ///< `file:line:column`.
   std::string what;   ///< A sentence about it.
 };
 

@@ -5,18 +5,18 @@
 
 #include "models/import/posture.h"
 #include "models/import/text.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::importer {
 namespace {
 
-constexpr double kEarth_mps2 = 9.81;
 constexpr std::size_t kAnkleJoints = 2;  // the last ones of a leg
 
 }  // namespace
 
 Notes WeakAnkles(const SourceRobot& robot, const BodyPlan& plan, const std::array<Foot, 2>& feet) {
   const Placement zero(robot, ZeroPosture(robot));
-  const double weight_N = TotalMass_kg(robot) * kEarth_mps2;
+  const double weight_N = TotalMass_kg(robot) * kGravity_mps2;
   Notes notes;
   for (std::size_t side = 0; side < feet.size(); ++side) {
     const Limb& leg = plan.legs[side];

@@ -4,10 +4,12 @@
 #include <tinyxml.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "models/import/text.h"
 #include "models/mjcf/mjcf_bounds.h"
 #include "models/support/xml_bounds.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 
 namespace sidestep::importer {
 namespace {
@@ -28,13 +30,10 @@ class TreeReader {
  private:
   /// @param name  As it is told; the last of open_ is the real file.
   XmlElement ReadFile(const std::filesystem::path& file, const std::string& name, int depth) {
-    const std::string text = WithoutStrayBytes(ReadXmlText(file));
+    const std::string text = ReadXmlText(file);
+    num_bytes_ += text.size();
     TiXmlDocument document;
-    document.Parse(text.c_str());
-    if (document.Error()) {
-      throw ConfigError(name, std::max(document.ErrorRow(), 1), std::max(document.ErrorCol(), 1),
-                        document.ErrorDesc());
-    }
+    ParseXml(name, text, &document);
     if (document.RootElement() == nullptr) throw ConfigError(name + ": error: is no MJCF");
     tree_.files.push_back(name);
     open_.push_back(std::filesystem::weakly_canonical(file));
@@ -47,7 +46,7 @@ class TreeReader {
   void Take(const TiXmlElement& from, std::size_t file, int depth, XmlElement* to) {
     to->tag = from.ValueStr();
     to->file = file;
-    to->line = from.Row();
+    to->place = PlaceOf(from);
     if (depth > kMaxMjcfDepth || ++num_elements_ > kMaxXmlElements) {
       throw ConfigError(tree_.Place(*to) + ": error: there are too many elements, or too deep " +
                         "inside each other, with the files that are included");
@@ -66,7 +65,7 @@ class TreeReader {
 
   void Include(const TiXmlElement& element, std::size_t file, int depth, XmlElement* to) {
     const char* name = element.Attribute("file");
-    const std::string place = tree_.files[file] + ":" + std::to_string(element.Row());
+    const std::string place = AtPlace(tree_.files[file], PlaceOf(element));
     const std::string what = "<include file=\"" + std::string(name == nullptr ? "" : name) + "\"> ";
     std::string why;
     std::filesystem::path found = files_.FindFile(name == nullptr ? "" : name, &why);
@@ -81,6 +80,10 @@ class TreeReader {
       problems_.AddAt(place, what + "includes itself");
     } else if (tree_.files.size() == kMaxFiles) {
       throw ConfigError(place + ": error: " + what + "is one file too many");
+    } else if (num_bytes_ + std::filesystem::file_size(found) > kMaxXmlBytes) {
+      throw ConfigError(place + ": error: " + what + "is too much: an MJCF may have " +
+                        std::to_string(kMaxXmlBytes >> 20U) +
+                        " MiB, with the files that it includes");
     } else {
       XmlElement root =
           ReadFile(found, (main_.parent_path() / name).lexically_normal().string(), depth + 1);
@@ -94,6 +97,7 @@ class TreeReader {
   XmlTree tree_;
   std::vector<std::filesystem::path> open_;
   int num_elements_{0};
+  std::uintmax_t num_bytes_{0};
 };
 
 void Write(const XmlElement& element, std::string* text, std::vector<const XmlElement*>* lines) {
@@ -133,7 +137,7 @@ void XmlElement::Erase(const std::string& name) {
 }
 
 std::string XmlTree::Place(const XmlElement& element) const {
-  return files[element.file] + (element.line > 0 ? ":" + std::to_string(element.line) : "");
+  return AtPlace(files[element.file], element.place);
 }
 
 XmlTree ReadXmlTree(const std::filesystem::path& file, const MeshFiles& files) {

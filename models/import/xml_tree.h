@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // xml_tree: an MJCF with all that it includes as one tree, to be changed and written again, whose
-// elements know the file and the line that they came from.
+// elements know the file and the place that they came from.
 
 #include <filesystem>
 #include <string>
@@ -18,7 +18,7 @@ struct XmlElement {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
   std::size_t file{0};  ///< Index into XmlTree::files.
-  int line{0};          ///< From 1; 0 where it was made up.
+  TextPlace place;      ///< Of no line where it was made up.
 
   /// Null where there is no such attribute.
   const std::string* Find(const std::string& name) const;
@@ -33,7 +33,7 @@ struct XmlTree {
   XmlElement root;
   std::vector<std::string> files;  ///< The first is the one that was asked for.
 
-  /// `file:line` of an element.
+  /// `file:line:column` of an element.
   std::string Place(const XmlElement& element) const;
 };
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "models/support/parse_number.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 
 namespace sidestep::importer {
 namespace {
@@ -45,7 +46,7 @@ void XmlValues::Add(const TiXmlElement& element, const std::string& what) {
     where = owner->ValueStr() + " '" + owner->Attribute("name") + "'" +
             (owner == &element ? "" : ": " + where);
   }
-  problems_->Add(element.Row(), where + " " + what);
+  problems_->Add(PlaceOf(element), where + " " + what);
 }
 
 std::string XmlValues::Name(const TiXmlElement& element) {

@@ -21,7 +21,7 @@ class XmlValues {
  public:
   explicit XmlValues(Problems* problems) : problems_(problems) {}
 
-  /// `file:line: error: <tag> 'name' what`.
+  /// `file:line:column: error: <tag> 'name' what`.
   void Add(const TiXmlElement& element, const std::string& what);
 
   /// The attribute `name`, which must not be empty.

@@ -1,75 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/mjcf/mjcf_bounds.h"
 
-#include <algorithm>
+#include <optional>
 #include <set>
-#include <string>
 #include <string_view>
-#include <vector>
+#include <system_error>
 
 #include "models/mjcf/mjcf_sizes.h"
-#include "models/support/config_error.h"
 #include "models/support/xml_bounds.h"
 
 namespace sidestep {
 namespace {
 
-/// Values of `file` in the text's <include> tags.
-std::vector<std::string> IncludesOf(std::string_view text) {
-  constexpr std::string_view kTag = "<include", kFile = "file";
-  std::vector<std::string> files;
-  for (std::size_t at = 0; (at = text.find(kTag, at)) != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find('>', at), text.size());
-    std::string_view tag = text.substr(at, end - at);
-    at = end;
-    const std::size_t name = tag.find(kFile, kTag.size());
-    if (name == std::string_view::npos) continue;
-    tag.remove_prefix(name + kFile.size());
-    const std::size_t open = tag.find_first_of("\"'");
-    if (open == std::string_view::npos) continue;
-    const std::size_t close = tag.find(tag[open], open + 1);
-    files.emplace_back(tag.substr(open + 1, std::min(close, tag.size()) - open - 1));
-  }
-  return files;
-}
+constexpr char kWithIncluded[] = ", with the files that it includes";
 
-std::ptrdiff_t NumElements(std::string_view text) {
-  std::ptrdiff_t count = 0;
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos; ++at) {
-    const char next = at + 1 < text.size() ? text[at + 1] : '/';
-    if (next != '/' && next != '!' && next != '?') ++count;
+/// Reads an MJCF and what it includes, and adds up.
+class BoundsChecker {
+ public:
+  BoundsChecker(const std::filesystem::path& mjcf, const TagVisitor& visit)
+      : mjcf_(mjcf), visit_(visit) {}
+
+  /// @param depth  Of what includes the file.
+  void CheckFile(const std::string& file, const std::string& text, int depth) {
+    num_bytes_ += text.size();
+    XmlTags tags(file, text);
+    while (const auto tag = tags.Next()) {
+      if (++num_elements_ > kMaxMjcfElements) {
+        tags.Fail(tag->begin, "is one element too many: an MJCF may have " +
+                                  std::to_string(kMaxMjcfElements) + kWithIncluded);
+      }
+      if (depth + tag->depth > kMaxMjcfDepth) {
+        tags.Fail(tag->begin, "is nested deeper than " + std::to_string(kMaxMjcfDepth) +
+                                  ", with the files that include it");
+      }
+      sizes_.Check(tags, *tag);
+      visit_(tags, *tag);
+      if (IsInclude(*tag)) Include(tags, *tag, depth + tag->depth);
+    }
   }
-  return count;
-}
+
+ private:
+  /// MuJoCo refuses a name that is there twice; another name of the same file is another file.
+  void Include(const XmlTags& tags, const XmlTag& tag, int depth) {
+    const std::string_view* value = tag.Find("file");
+    if (value == nullptr) return;
+    const std::optional<std::string> name = XmlDecoded(*value);
+    if (!name) tags.Fail(tag.begin, "<include> has a file with a reference to no character");
+    if (!names_.insert(*name).second) return;
+    const std::filesystem::path path = IncludedFile(mjcf_, *name);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+      tags.Fail(tag.begin, "<include> of '" + *name + "', which is no file in the folder of " +
+                               mjcf_.filename().string());
+    }
+    const std::string text = ReadXmlText(path);
+    if (num_bytes_ + text.size() > kMaxXmlBytes) {
+      tags.Fail(tag.begin, "<include> of '" + *name + "' is too much: an MJCF may have " +
+                               std::to_string(kMaxXmlBytes >> 20U) + " MiB" + kWithIncluded);
+    }
+    CheckFile(path.string(), text, depth);
+  }
+
+  const std::filesystem::path& mjcf_;
+  const TagVisitor& visit_;
+  std::set<std::string> names_;  ///< Of includes, as they are written.
+  MjcfSizes sizes_;
+  std::size_t num_bytes_{0};
+  std::ptrdiff_t num_elements_{0};
+};
 
 }  // namespace
 
+std::filesystem::path IncludedFile(const std::filesystem::path& mjcf, const std::string& name) {
+  const std::string folder = mjcf.parent_path().string();
+  return folder.empty() ? name : folder + "/" + name;
+}
+
+void VisitMjcf(const std::filesystem::path& mjcf, const TagVisitor& visit) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(mjcf, ignored)) return;
+  BoundsChecker(mjcf, visit).CheckFile(mjcf.string(), ReadXmlText(mjcf), 0);
+}
+
 void CheckMjcfBounds(const std::filesystem::path& mjcf) {
-  std::set<std::filesystem::path> seen;
-  std::vector<std::filesystem::path> open{mjcf};
-  std::ptrdiff_t num_elements = 0;
-  for (int depth = 0; !open.empty();) {
-    const std::filesystem::path file = open.back();
-    open.pop_back();
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored) || !seen.insert(file).second) continue;
-    const std::string text = ReadXmlText(file);
-    depth += CheckXmlBounds(file.string(), text);
-    if (depth > kMaxMjcfDepth) {
-      throw ConfigError(mjcf.string() + ": error: has elements nested deeper than " +
-                        std::to_string(kMaxMjcfDepth) + ", with the files that it includes");
-    }
-    CheckMjcfSizes(file.string(), text);
-    num_elements += NumElements(text);
-    if (num_elements > kMaxMjcfElements) {
-      throw ConfigError(mjcf.string() + ": error: has more than " +
-                        std::to_string(kMaxMjcfElements) +
-                        " elements, with the files that it includes");
-    }
-    for (const std::string& name : IncludesOf(text)) {
-      open.push_back((mjcf.parent_path() / name).lexically_normal());
-    }
-  }
+  VisitMjcf(mjcf, [](const XmlTags& /*tags*/, const XmlTag& /*tag*/) {});
 }
 
 }  // namespace sidestep

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/robot_description/mjcf_names.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -9,21 +8,13 @@
 #include "models/mjcf/base_joints.h"
 #include "models/mjcf/mjcf.h"
 #include "models/mjcf/mjcf_bounds.h"
-#include "models/mjcf/mjcf_message.h"
-#include "models/support/config_error.h"
+#include "models/robot_description/mjcf_complaint.h"
 #include "models/support/config_node.h"
 #include "models/support/file_notes.h"
 #include "models/support/plain_word.h"
 
 namespace sidestep {
 namespace {
-
-/// MuJoCo's message in one line, with its place where we put ours.
-[[noreturn]] void FailToCompile(const std::filesystem::path& mjcf, const std::string& text) {
-  const MjcfMessage message = ReadMjcfMessage(text);
-  if (message.line < 1) throw ConfigError(mjcf.string() + ": error: " + message.what);
-  throw ConfigError(mjcf.string(), message.line, std::max(message.column, 1), message.what);
-}
 
 std::vector<std::string> NamesOfType(const mjModel& model, int type, int count) {
   std::vector<std::string> names;

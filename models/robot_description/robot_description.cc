@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "models/mjcf/mjcf.h"
+#include "models/robot_description/mjcf_complaint.h"
 #include "models/robot_description/mjcf_joints.h"
 #include "models/robot_description/mjcf_names.h"
 #include "models/robot_description/robot_parts.h"
@@ -32,6 +33,16 @@ void RequirePlanarStart(const ConfigNode& rpy, const RobotDescription& robot) {
   }
 }
 
+/// That what is simulated compiles where the MJCF itself does.
+void RequireCompiles(const RobotModel& model) {
+  try {
+    CompileMjcf(model.simulated_mjcf, "", model.file);
+  } catch (const ConfigError&) {
+    RefuseAssetFiles(model.file);
+    throw;
+  }
+}
+
 /// The keys of a robot that has an MJCF.
 void ReadMjcfRobot(ConfigMap& map, RobotDescription* robot) {
   const ConfigNode mjcf = map.Required("mjcf");
@@ -46,6 +57,7 @@ void ReadMjcfRobot(ConfigMap& map, RobotDescription* robot) {
   }
   robot->model = ReadMjcfModel(file);
   const KnownParts parts{ModelLanguage::kMjcf, ReadMjcfNames(file)};
+  RequireCompiles(*robot->model);
   ReadModelParts(map, parts, robot);
   if (const auto joints = map.Optional("joints")) ReadMjcfJoints(*joints, parts, robot);
   const ConfigNode feet = map.Required("feet");

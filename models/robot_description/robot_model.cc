@@ -2,6 +2,7 @@
 #include "models/robot_description/robot_model.h"
 
 #include "models/mjcf/mjcf_bounds.h"
+#include "models/robot_description/mjcf_includes.h"
 #include "models/robot_description/servos_as_motors.h"
 #include "models/support/xml_bounds.h"
 
@@ -13,7 +14,7 @@ const char* LanguageName(ModelLanguage language) {
 
 RobotModel ReadMjcfModel(const std::filesystem::path& file) {
   CheckMjcfBounds(file);
-  const std::string text = WithServosAsMotors(ReadXmlText(file), file);
+  const std::string text = WithServosAsMotors(WithIncluded(ReadXmlText(file), file), file);
   return {ModelLanguage::kMjcf, file, text, text, ""};
 }
 

@@ -21,7 +21,7 @@ enum class ModelDetail {
 };
 
 /// The model. Both texts are whole MJCF documents, to be included in a world's; they differ for a
-/// URDF only, because an MJCF is taken as it is, but for WithServosAsMotors().
+/// URDF only, because an MJCF is taken as it is, but for WithIncluded() and WithServosAsMotors().
 struct RobotModel {
   ModelLanguage language{ModelLanguage::kMjcf};
   std::filesystem::path file;  ///< Absolute.

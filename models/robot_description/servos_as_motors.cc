@@ -10,14 +10,18 @@
 #include "models/mjcf/joint_servo.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/xml_bounds.h"
+#include "models/support/xml_tags.h"
 #include "models/urdf_to_mjcf/mjcf_text.h"
 
 namespace sidestep {
 namespace {
 
-bool MayHoldServos(const std::string& text) {
-  for (const char* tag : {"<position", "<general", "<intvelocity"}) {
-    if (text.find(tag) != std::string::npos) return true;
+bool MayHoldServos(const std::string& file, const std::string& text) {
+  XmlTags tags(file, text);
+  while (const auto tag = tags.Next()) {
+    if (tag->name == "position" || tag->name == "general" || tag->name == "intvelocity") {
+      return true;
+    }
   }
   return false;
 }
@@ -53,7 +57,7 @@ void BecomeMotor(double limit_Nm, TiXmlElement* servo) {
 }  // namespace
 
 std::string WithServosAsMotors(const std::string& text, const std::filesystem::path& file) {
-  if (!MayHoldServos(text)) return text;
+  if (!MayHoldServos(file.string(), text)) return text;
   std::array<char, 1000> ignored{};
   const MjModelPtr model(
       mj_loadXML(file.c_str(), nullptr, ignored.data(), static_cast<int>(ignored.size())));

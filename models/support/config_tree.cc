@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "models/support/config_error.h"
@@ -183,6 +184,16 @@ ConfigTree ParseConfig(const std::string& text, const ConfigSource& source) {
 
 ConfigTree ReadConfigFile(const std::filesystem::path& file) {
   return ParseConfig(ReadConfigText(file), {file.string(), true});
+}
+
+bool IsConfigFileWith(const std::string& key, const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  try {
+    return ReadConfigFile(file).Find(key) != nullptr;
+  } catch (const ConfigError&) {
+    return false;
+  }
 }
 
 }  // namespace sidestep

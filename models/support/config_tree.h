@@ -63,4 +63,8 @@ ConfigTree ParseConfig(const std::string& text, const ConfigSource& source);
 /// Reads and parses a file; also throws ConfigError if it can't be read or exceeds 1 MiB.
 ConfigTree ReadConfigFile(const std::filesystem::path& file);
 
+/// Whether `file` is one whose outermost map has `key`, which tells the kinds of files apart. False
+/// of what can't be read: its own reader tells what is wrong with it.
+bool IsConfigFileWith(const std::string& key, const std::filesystem::path& file);
+
 }  // namespace sidestep

@@ -6,13 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace sidestep {
+#include "models/support/text_place.h"
 
-/// Line and column of a text, from 1; 0 is unknown.
-struct TextPlace {
-  int line{0};
-  int column{0};
-};
+namespace sidestep {
 
 /// Problems and notices of one file, so that a user hears of all at once.
 class FileNotes {

@@ -2,7 +2,6 @@
 #pragma once
 // json_text: JSON from a file that may be anything, with bounds on what is taken.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "models/support/config_error.h"
+#include "models/support/text_place.h"
 
 namespace sidestep {
 
@@ -53,11 +53,8 @@ Json ParseJson(const std::string& text, const std::string& file) {
   try {
     return Json::parse(text, is_bounded);
   } catch (const typename Json::parse_error& broken) {
-    const std::string before = text.substr(0, broken.byte == 0 ? 0 : broken.byte - 1);
-    const auto line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));
-    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    throw ConfigError(file, line, static_cast<int>(before.size() - line_start) + 1,
-                      "the JSON breaks off here");
+    const TextPlace place = PlaceIn(text, broken.byte == 0 ? 0 : broken.byte - 1);
+    throw ConfigError(file, place.line, place.column, "the JSON breaks off here");
   } catch (const typename Json::exception&) {
     throw ConfigError(file + ": error: holds a number beyond the range of a double");
   }

@@ -5,6 +5,8 @@
 // Names from files end up in folders, columns, scripts and pages. Each of these quotes what it is
 // given; that names are plain is the second lock on the same door.
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace sidestep {
@@ -22,6 +24,16 @@ inline constexpr std::string_view kPlainWordRule =
 constexpr bool IsPlainWord(std::string_view name) {
   return !name.empty() && name.size() <= kMaxWordLength && name[0] != '.' && name[0] != '-' &&
          name.find_first_not_of(kPlainCharacters) == std::string_view::npos;
+}
+
+/// `name` with a '_' for every other character: no plain word yet, as it may be empty, too long or
+/// begin with a '-'.
+inline std::string PlainCharactersOf(std::string_view name) {
+  std::string plain(name);
+  std::replace_if(
+      plain.begin(), plain.end(),
+      [](char c) { return kPlainCharacters.find(c) == std::string_view::npos; }, '_');
+  return plain;
 }
 
 }  // namespace sidestep

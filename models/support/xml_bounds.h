@@ -14,12 +14,11 @@ namespace sidestep {
 inline constexpr std::size_t kMaxXmlBytes = 64U << 20U;  ///< Public models have up to 10 MB.
 inline constexpr int kMaxXmlDepth = 100;                 ///< Elements inside each other.
 inline constexpr int kMaxXmlElements = 500'000;          ///< A link of a URDF takes about 20.
-inline constexpr int kMaxXmlAttributes = 1000;           ///< Of one element; parsers search them.
 
-/// The depth of `text`. Throws ConfigError (`file:line:column: error: ...`) if it exceeds one of
-/// these bounds. Says nothing of whether it is good XML; where it is not, the parser that follows
-/// may stop earlier but won't go deeper.
-int CheckXmlBounds(const std::string& file, const std::string& text);
+/// Throws ConfigError (`file:line:column: error: ...`) if `text` exceeds one of these bounds or is
+/// nothing that XmlTags can scan. Says nothing more of whether it is good XML; where it is not, the
+/// parser that follows may stop earlier but won't go deeper.
+void CheckXmlBounds(const std::string& file, const std::string& text);
 
 /// Text of a file within these bounds. Throws ConfigError if it is not, or can't be read.
 std::string ReadXmlText(const std::filesystem::path& file);

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/urdf_to_mjcf/urdf_document.h"
 
-#include <algorithm>
-
 #include "models/support/config_error.h"
 #include "models/support/xml_bounds.h"
 
 namespace sidestep {
-
-TextPlace PlaceOf(const TiXmlBase& element) { return {element.Row(), element.Column()}; }
 
 std::string TextOf(const TiXmlElement& element, const char* attribute) {
   const char* text = element.Attribute(attribute);
@@ -16,13 +12,7 @@ std::string TextOf(const TiXmlElement& element, const char* attribute) {
 }
 
 UrdfDocument::UrdfDocument(const std::filesystem::path& file) : notes_(file.string()) {
-  const std::string text = WithoutStrayBytes(ReadXmlText(file));
-  document_.SetTabSize(1);  // columns count bytes
-  document_.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document_.Error()) {
-    throw ConfigError(file.string(), std::max(document_.ErrorRow(), 1),
-                      std::max(document_.ErrorCol(), 1), document_.ErrorDesc());
-  }
+  ParseXml(file.string(), ReadXmlText(file), &document_);
   robot_ = document_.FirstChildElement("robot");
   if (robot_ == nullptr) {
     throw ConfigError(file.string() + ": error: is no URDF: it has no <robot> element");

@@ -13,11 +13,9 @@
 #include <utility>
 
 #include "models/support/file_notes.h"
+#include "models/urdf_to_mjcf/parse_xml.h"
 
 namespace sidestep {
-
-/// Where an element begins.
-TextPlace PlaceOf(const TiXmlBase& element);
 
 /// The element's attribute, empty if it has none.
 std::string TextOf(const TiXmlElement& element, const char* attribute);

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "controller/model/rigid_body.h"
-#include "controller/types/gravity.h"
 #include "models/support/config_error.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::limit {
 namespace {

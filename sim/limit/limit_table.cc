@@ -10,8 +10,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "controller/types/gravity.h"
 #include "models/support/config_node.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::limit {
 namespace {

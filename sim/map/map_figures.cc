@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::map {
 namespace {

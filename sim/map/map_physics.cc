@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "controller/types/gravity.h"
 #include "controller/types/tick.h"
 #include "models/support/config_error.h"
+#include "models/support/gravity.h"
 #include "sim/limit/limit_subject.h"
 #include "sim/limit/limit_table.h"
 #include "sim/scenario/nominal_motion.h"

@@ -49,12 +49,6 @@ fs::path FindScenario(const fs::path& word) {
                     DidYouMean(name, ShippedScenarios(), "scenarios that ship"));
 }
 
-bool IsSweepFile(const fs::path& file) {
-  try {
-    return ReadConfigFile(file).Find(kSweepKey) != nullptr;
-  } catch (const ConfigError&) {
-    return false;
-  }
-}
+bool IsSweepFile(const fs::path& file) { return IsConfigFileWith(kSweepKey, file); }
 
 }  // namespace sidestep

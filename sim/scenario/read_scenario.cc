@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "models/support/config_error.h"
@@ -181,13 +180,7 @@ Scenario ScenarioOfRobot(const std::string& robot, const std::vector<std::string
 }
 
 bool IsRobotFile(const std::filesystem::path& word) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(word, ignored)) return false;
-  try {
-    return ReadConfigFile(word).Find("sidestep_robot") != nullptr;
-  } catch (const ConfigError&) {
-    return false;  // as a scenario it will be told what is wrong with it
-  }
+  return IsConfigFileWith("sidestep_robot", word);
 }
 
 }  // namespace sidestep

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "controller/types/gravity.h"
 #include "controller/types/tick.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_node.h"
+#include "models/support/gravity.h"
 #include "sim/scenario/nominal_motion.h"
 
 namespace sidestep {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "models/support/require.h"
 
 namespace sidestep {

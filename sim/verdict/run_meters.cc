@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "models/support/require.h"
 #include "sim/scenario/push_ticks.h"
 #include "sim/verdict/footsteps.h"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "controller/types/gravity.h"
 #include "models/mjcf/mjcf.h"
 #include "models/support/config_error.h"
+#include "models/support/gravity.h"
 #include "models/support/require.h"
 
 namespace sidestep {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 
 namespace sidestep::push_alarm_test {
 namespace {

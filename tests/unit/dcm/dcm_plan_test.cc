@@ -9,7 +9,7 @@
 #include <string>
 
 #include "controller/planner/capture_point.h"
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "models/support/require.h"
 #include "tests/unit/planner/planner_test_support.h"
 

@@ -98,7 +98,7 @@ TEST(CleanUp, RefusesARobotWithoutMass) {
   const TempFolder folder;
   EXPECT_EQ(
       folder.ErrorOf([] { Cleaned(SourceOf("<robot name=\"r\"><link name=\"a\"/></robot>")); }),
-      "robot.urdf:1: error: the root 'a' has no mass, nor has what is fixed to it");
+      "robot.urdf:1:17: error: the root 'a' has no mass, nor has what is fixed to it");
 }
 
 }  // namespace

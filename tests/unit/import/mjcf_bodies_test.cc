@@ -119,9 +119,9 @@ TEST(MjcfBodies, TheHeaviestWithHingesIsTheRobotAndItFloats) {
 TEST(MjcfBodies, BallsAndWorldsWithoutARobotAreRefused) {
   EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body><geom size=\"1\"/>\n<joint name=\"b\" "
                                   "type=\"ball\"/></body>")),
-            "robot.xml:7: error: joint 'b' is a ball; make it three hinges, or delete it");
+            "robot.xml:7:1: error: joint 'b' is a ball; make it three hinges, or delete it");
   EXPECT_EQ(MjcfErrorOf("<mujoco/>"),
-            "robot.xml: error: has no robot: no body in the world carries hinges");
+            "robot.xml:1:1: error: has no robot: no body in the world carries hinges");
 }
 
 TEST(MjcfBodies, NamesBecomePlainAndDifferent) {

@@ -27,7 +27,7 @@ TEST(MjcfCouplings, ALoopIsRefusedWhereItsJointsMoveOnly) {
   const int hip = JointCalled(robot, "hip");
   const TempFolder folder;
   const std::string error = folder.ErrorOf([&] { RefuseCouplings(robot.couplings, {hip}); });
-  EXPECT_NE(error.find(":9: error: <connect> 'rod' closes a loop from 'tip' to 'leg', and joints "
+  EXPECT_NE(error.find(":9:1: error: <connect> 'rod' closes a loop from 'tip' to 'leg', and joints "
                        "that move here are of it"),
             std::string::npos)
       << error;
@@ -57,7 +57,7 @@ TEST(MjcfCouplings, WhatHoldsTheRobotInTheWorldIsLeftOut) {
   EXPECT_TRUE(HasNote(notes, "left out <weld> 'w', which holds 'pelvis' in the world"));
   EXPECT_EQ(
       MjcfErrorOf(SmallMjcf(kTail, "<equality><connect site1=\"a\" site2=\"b\"/></equality>")),
-      "robot.xml:8: error: <connect> '' can't be simulated here; delete it");
+      "robot.xml:8:11: error: <connect> '' can't be simulated here; delete it");
 }
 
 }  // namespace

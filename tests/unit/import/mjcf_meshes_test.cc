@@ -38,7 +38,7 @@ TEST(MjcfMeshes, ABodyWithItsMassFromAMeshNeedsTheFile) {
   EXPECT_EQ(
       MjcfErrorOf(
           SmallMjcf("<body name=\"b\">\n<geom type=\"mesh\" mesh=\"m\"/></body>", "", kAsset)),
-      "robot.xml:9: error: <geom> gives body 'b' its mass, but its mesh 'm' can't be read; give "
+      "robot.xml:9:1: error: <geom> gives body 'b' its mass, but its mesh 'm' can't be read; give "
       "the body an <inertial>");
 }
 
@@ -52,7 +52,8 @@ TEST(MjcfMeshes, AllShapesThatWouldWeighAreTold) {
       "<default><default class=\"mesh\"><geom type=\"mesh\" mesh=\"m\"/></default></default>\n";
   const auto line = [](int number) {
     return "robot.xml:" + std::to_string(number) +
-           ": error: <geom> gives body 'b' its mass, but its mesh 'm' can't be read; give the body "
+           ":1: error: <geom> gives body 'b' its mass, but its mesh 'm' can't be read; give the "
+           "body "
            "an <inertial>";
   };
   EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body name=\"b\">\n" + shapes + "</body>", "", classes + asset)),
@@ -63,7 +64,7 @@ TEST(MjcfMeshes, WhereShapesWeighInSpiteOfAnInertialTheyAreTold) {
   const std::string error = MjcfErrorOf(SmallMjcf("<geom type=\"mesh\" mesh=\"m\"/>",
                                                   "<compiler inertiafromgeom=\"true\"/>", kAsset));
   EXPECT_EQ(error,
-            "robot.xml:8: error: <geom> gives body 'pelvis' its mass, but its mesh 'm' can't be "
+            "robot.xml:8:1: error: <geom> gives body 'pelvis' its mass, but its mesh 'm' can't be "
             "read; take inertiafromgeom out of <compiler>, or give the geom mass=\"0\"");
 }
 

@@ -12,11 +12,11 @@ TEST(NewerWords, WhatNobodyKnowsIsToldAtOnceWithItsLine) {
                 "magic=\"1\"/>\n<attach model=\"m\" body=\"b\" prefix=\"p\"/>\n"));
   EXPECT_EQ(
       error,
-      "robot.xml:6: error: <geom> has wobble=\"3\", which MuJoCo 2.2 doesn't know; delete it\n"
-      "robot.xml:7: error: <replicate> can't be taken: write out the bodies that it makes\n"
-      "robot.xml:8: error: <joint> 'x' has magic=\"1\", which MuJoCo 2.2 doesn't know; delete "
+      "robot.xml:6:1: error: <geom> has wobble=\"3\", which MuJoCo 2.2 doesn't know; delete it\n"
+      "robot.xml:7:1: error: <replicate> can't be taken: write out the bodies that it makes\n"
+      "robot.xml:8:1: error: <joint> 'x' has magic=\"1\", which MuJoCo 2.2 doesn't know; delete "
       "it\n"
-      "robot.xml:9: error: <attach> can't be taken: put the attached model's bodies in its "
+      "robot.xml:9:1: error: <attach> can't be taken: put the attached model's bodies in its "
       "place");
 }
 
@@ -35,23 +35,24 @@ TEST(NewerWords, ARatioOfDampingThatMeansNothingIsTold) {
         "", "<actuator><position name=\"m\" joint=\"hip\" kp=\"5\" " + damping + "/></actuator>"));
   };
   EXPECT_EQ(error("kv=\"1\" dampratio=\"1\""),
-            "robot.xml:7: error: <position> 'm' has kv and dampratio; delete one");
-  EXPECT_EQ(error("dampratio=\"-1\""),
-            "robot.xml:7: error: <position> 'm' has dampratio=\"-1\", which must not be negative");
+            "robot.xml:7:11: error: <position> 'm' has kv and dampratio; delete one");
+  EXPECT_EQ(
+      error("dampratio=\"-1\""),
+      "robot.xml:7:11: error: <position> 'm' has dampratio=\"-1\", which must not be negative");
 }
 
 TEST(NewerWords, WhatIsLackedIsToldOneByOne) {
   Notes notes;
   SourceOfMjcf(SmallMjcf("<body name=\"tail\" gravcomp=\"1\"/>\n"), &notes);
-  EXPECT_TRUE(
-      HasNote(notes, "robot.xml:6: left out gravcomp=\"1\" of <body> 'tail': gravity acts on it"));
+  EXPECT_TRUE(HasNote(
+      notes, "robot.xml:6:1: left out gravcomp=\"1\" of <body> 'tail': gravity acts on it"));
 }
 
 TEST(NewerWords, NumbersThatAreNoneAreTold) {
   for (const std::string number : {"nan", "inf", "-inf", "1e300"}) {
     const std::string error =
         MjcfErrorOf(SmallMjcf("<geom size=\"1\" pos=\"0 " + number + " 0\"/>"));
-    EXPECT_EQ(error, "robot.xml:6: error: <geom> has pos with '" + number +
+    EXPECT_EQ(error, "robot.xml:6:1: error: <geom> has pos with '" + number +
                          "', which is no number to use");
   }
 }

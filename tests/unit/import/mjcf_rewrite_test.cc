@@ -73,22 +73,23 @@ TEST(MjcfRewrite, AFrameOfTheWorldThatCantBeReadIsTold) {
       "<mujoco><worldbody>\n<frame quat=\"1 0\"><body><freejoint/><geom "
       "size=\"1\"/><body><joint/><geom "
       "size=\"1\"/></body></body></frame></worldbody></mujoco>");
-  EXPECT_EQ(error.rfind("robot.xml:2: error: <frame> can't be read: ", 0), 0U) << error;
+  EXPECT_EQ(error.rfind("robot.xml:2:1: error: <frame> can't be read: ", 0), 0U) << error;
 }
 
 TEST(MjcfRewrite, AJointInAFrameIsRefused) {
-  EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body><geom size=\"1\"/>\n<frame><joint "
-                                  "name=\"j\"/></frame></body>\n")),
-            "robot.xml:7: error: <joint> 'j' is in a <frame>: move it into the body, in the body's "
-            "axes");
+  EXPECT_EQ(
+      MjcfErrorOf(SmallMjcf("<body><geom size=\"1\"/>\n<frame><joint "
+                            "name=\"j\"/></frame></body>\n")),
+      "robot.xml:7:8: error: <joint> 'j' is in a <frame>: move it into the body, in the body's "
+      "axes");
 }
 
 TEST(MjcfRewrite, RangesLimitWhereTheFileDoesNotSay) {
   const std::string hinge = SmallMjcf("");
   EXPECT_EQ(SourceOfMjcf(hinge).joints[0].kind, JointKind::kRevolute);
   const std::string old = SmallMjcf("", "", "<compiler autolimits=\"false\"/>");
-  EXPECT_EQ(MjcfErrorOf(old).find("robot.xml:5: error: Error: joint has `range` but not `limited`"),
-            0U)
+  EXPECT_EQ(
+      MjcfErrorOf(old).find("robot.xml:5:1: error: Error: joint has `range` but not `limited`"), 0U)
       << "what it says stays";
 }
 
@@ -115,7 +116,7 @@ TEST(MjcfRewrite, OnlyMotorsOfJointsStay) {
                          "<actuator>\n<general name=\"jet\" "
                          "site=\"nozzle\"/></actuator>"),
                &notes);
-  EXPECT_TRUE(HasNote(notes, "robot.xml:8: left out the <general> 'jet', which is no joint's"));
+  EXPECT_TRUE(HasNote(notes, "robot.xml:8:1: left out the <general> 'jet', which is no joint's"));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ TEST(MjcfSchema, KnowsWhatThisMujocoKnows) {
   EXPECT_TRUE(schema.HasAttribute("default", "position", "kp"));
   EXPECT_TRUE(schema.HasAttribute("body", "body", "childclass"));
   EXPECT_TRUE(schema.HasAttribute("mujoco", "compiler", "autolimits"));
-  EXPECT_TRUE(schema.HasElement("body", "inertial"));
-  EXPECT_TRUE(schema.HasElement("default", "default"));
+  EXPECT_TRUE(schema.HasAttribute("body", "inertial", "mass"));
+  EXPECT_TRUE(schema.HasAttribute("default", "default", "class"));
 }
 
 TEST(MjcfSchema, KnowsNothingElse) {
@@ -22,8 +22,7 @@ TEST(MjcfSchema, KnowsNothingElse) {
   EXPECT_FALSE(schema.HasAttribute("body", "joint", "kp"));
   EXPECT_FALSE(schema.HasAttribute("body", "joint", "(*)"));
   EXPECT_FALSE(schema.HasAttribute("body", "jont", "name"));
-  EXPECT_FALSE(schema.HasElement("body", "motor"));
-  EXPECT_FALSE(schema.HasElement("body", "frobnicate"));
+  EXPECT_FALSE(schema.HasAttribute("body", "motor", "joint"));
 }
 
 }  // namespace

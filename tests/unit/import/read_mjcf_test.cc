@@ -43,14 +43,15 @@ TEST(ReadMjcf, MujocosComplaintGetsThePlaceInTheMakersFile) {
   MeshFiles files(file, {});
   Notes notes;
   const std::string error = folder.ErrorOf([&] { ReadMjcf(file, &files, &notes); });
-  EXPECT_NE(error.find("robot.xml:6: error: "), std::string::npos) << error;
+  EXPECT_NE(error.find("robot.xml:6:1: error: "), std::string::npos) << error;
   EXPECT_NE(error.find("nowhere"), std::string::npos) << error;
 }
 
 TEST(ReadMjcf, MillimetresAreTold) {
-  EXPECT_EQ(MjcfErrorOf(SmallMjcf("<body name=\"far\" pos=\"0 0 300\"><geom size=\"1\"/></body>")),
-            "robot.xml: error: body 'far' or its CoM is 300 m away, which is more than 10; lengths "
-            "are in metres");
+  EXPECT_EQ(
+      MjcfErrorOf(SmallMjcf("<body name=\"far\" pos=\"0 0 300\"><geom size=\"1\"/></body>")),
+      "robot.xml:6:1: error: body 'far' or its CoM is 300 m away, which is more than 10; lengths "
+      "are in metres");
 }
 
 TEST(ReadMjcf, HostileFilesEndInOneLine) {

@@ -41,22 +41,22 @@ TEST(ReadSource, TakesNumbersShapesAndLimits) {
   EXPECT_EQ(j.X_PC.translation(), Eigen::Vector3d(1, 2, 3));
 }
 
-TEST(ReadSource, TellsEveryProblemWithItsLine) {
+TEST(ReadSource, TellsEveryProblemWithItsPlace) {
   EXPECT_EQ(ErrorFor(R"(<robot name="r">
 <link name="a"><inertial><mass value="x"/></inertial></link>
 <link name="a"/>
 <link name="c"><visual><geometry/></visual></link>
 </robot>)"),
-            "robot.urdf:2: error: link 'a': <mass> needs value of 1 number, not 'x'\n"
-            "robot.urdf:3: error: link 'a' = 'a' is there twice\n"
-            "robot.urdf:4: error: link 'c': <visual> needs a <geometry> with a box, sphere, "
+            "robot.urdf:2:26: error: link 'a': <mass> needs value of 1 number, not 'x'\n"
+            "robot.urdf:3:1: error: link 'a' = 'a' is there twice\n"
+            "robot.urdf:4:16: error: link 'c': <visual> needs a <geometry> with a box, sphere, "
             "cylinder or mesh");
   EXPECT_EQ(
       ErrorFor(R"(<robot name="r"><link name="a"/>
 <joint name="j" type="planar"><parent link="a"/><child link="b"/></joint></robot>)"),
-      "robot.urdf:2: error: joint 'j' needs <child link=\"...\"/> that names a link; there is "
+      "robot.urdf:2:1: error: joint 'j' needs <child link=\"...\"/> that names a link; there is "
       "none called 'b'\n"
-      "robot.urdf:2: error: joint 'j' must be fixed, revolute, continuous or prismatic");
+      "robot.urdf:2:1: error: joint 'j' must be fixed, revolute, continuous or prismatic");
 }
 
 TEST(ReadSource, RefusesLoopsAndForests) {
@@ -75,6 +75,17 @@ TEST(ReadSource, RefusesLoopsAndForests) {
             std::string::npos);
 }
 
+TEST(ReadSource, CharacterReferencesAreUtf8) {
+  const TempFolder folder;
+  Notes notes;
+  EXPECT_EQ(ReadSource(folder.Write("robot.urdf",
+                                    "<robot name=\"gr&#252;n\"><link "
+                                    "name=\"a\"/></robot>"),
+                       &notes)
+                .name,
+            "gr\xC3\xBCn");
+}
+
 TEST(ReadSource, SurvivesHostileFiles) {
   std::string deep = "<robot name=\"r\">";
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
@@ -87,13 +98,13 @@ TEST(ReadSource, SurvivesHostileFiles) {
              "\"/></joint>\n";
   }
   EXPECT_EQ(ErrorFor(chain + "</robot>"),
-            "robot.urdf:2000: error: link 'l2000' is one too many: a robot has at most 2000");
+            "robot.urdf:2000:1: error: link 'l2000' is one too many: a robot has at most 2000");
   std::string shapes = "<robot name=\"r\"><link name=\"l\">";
   for (int i = 0; i < 4001; ++i) {
     shapes += "<collision><geometry><sphere radius=\"1\"/></geometry></collision>\n";
   }
   EXPECT_EQ(ErrorFor(shapes + "</link></robot>"),
-            "robot.urdf:1: error: link 'l' has one shape too many: a robot has at most 4000");
+            "robot.urdf:1:17: error: link 'l' has one shape too many: a robot has at most 4000");
   EXPECT_NE(ErrorFor("<robot name=\"r\"><link name=\"a\">").find("robot.urdf:"), std::string::npos);
   EXPECT_NE(ErrorFor("no xml").find("error"), std::string::npos);
   EXPECT_NE(ErrorFor("<sdf/>").find("must be <robot>"), std::string::npos);

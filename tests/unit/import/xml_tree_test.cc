@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "models/support/xml_bounds.h"
 #include "tests/support/temp_folder.h"
 
 namespace sidestep::importer {
@@ -10,7 +11,7 @@ namespace {
 
 XmlTree TreeOf(const std::filesystem::path& file) { return ReadXmlTree(file, MeshFiles(file, {})); }
 
-TEST(XmlTree, WhatIsIncludedStandsInItsPlaceAndKnowsItsLine) {
+TEST(XmlTree, WhatIsIncludedStandsInItsPlaceAndKnowsItsPlace) {
   const TempFolder folder;
   const std::filesystem::path main =
       folder.Write("scene.xml", "<mujoco>\n<a/>\n<include file=\"parts/b.xml\"/>\n<c/></mujoco>");
@@ -21,7 +22,7 @@ TEST(XmlTree, WhatIsIncludedStandsInItsPlaceAndKnowsItsLine) {
   EXPECT_EQ(tree.root.children[1].tag, "b");
   EXPECT_EQ(tree.root.children[2].tag, "d");
   EXPECT_EQ(tree.root.children[3].tag, "c");
-  EXPECT_EQ(tree.Place(tree.root.children[1]), (folder.path() / "parts/b.xml:3").string());
+  EXPECT_EQ(tree.Place(tree.root.children[1]), (folder.path() / "parts/b.xml:3:1").string());
   EXPECT_EQ(XmlText(tree.root.children[1], nullptr), "<b x=\"1 &lt; 2\"/>\n");
 }
 
@@ -30,7 +31,7 @@ TEST(XmlTree, LinesOfTheTextTellTheirElements) {
   std::vector<const XmlElement*> lines;
   EXPECT_EQ(XmlText(root, &lines), "<a>\n<b/>\n<c>\n<d/>\n</c>\n</a>\n");
   std::vector<int> numbers;
-  for (const XmlElement* element : lines) numbers.push_back(element->line);
+  for (const XmlElement* element : lines) numbers.push_back(element->place.line);
   EXPECT_EQ(numbers, (std::vector<int>{5, 7, 8, 9, 8, 5}));
 }
 
@@ -42,16 +43,16 @@ TEST(XmlTree, IncludesThatLoopOrLeaveTheFolderOrAreMissingAreAllTold) {
       "<mujoco>\n<include file=\"scene.xml\"/>\n<include file=\"../secret.xml\"/>\n<include "
       "file=\"none.xml\"/>\n<include/>\n</mujoco>");
   const std::string error = folder.ErrorOf([&] { TreeOf(main); });
-  EXPECT_NE(error.find("scene.xml:2: error: <include file=\"scene.xml\"> includes itself"),
+  EXPECT_NE(error.find("scene.xml:2:1: error: <include file=\"scene.xml\"> includes itself"),
             std::string::npos)
       << error;
-  EXPECT_NE(error.find("scene.xml:3: error: <include file=\"../secret.xml\"> outside"),
+  EXPECT_NE(error.find("scene.xml:3:1: error: <include file=\"../secret.xml\"> outside"),
             std::string::npos)
       << error;
-  EXPECT_NE(error.find("scene.xml:4: error: <include file=\"none.xml\"> no such file"),
+  EXPECT_NE(error.find("scene.xml:4:1: error: <include file=\"none.xml\"> no such file"),
             std::string::npos)
       << error;
-  EXPECT_NE(error.find("scene.xml:5: error: <include file=\"\"> "), std::string::npos) << error;
+  EXPECT_NE(error.find("scene.xml:5:1: error: <include file=\"\"> "), std::string::npos) << error;
 }
 
 TEST(XmlTree, FilesThatIncludeAThousandTimesEndInOneLine) {
@@ -61,6 +62,18 @@ TEST(XmlTree, FilesThatIncludeAThousandTimesEndInOneLine) {
   for (int i = 0; i < 1001; ++i) text += "<include file=\"leaf.xml\"/>";
   const std::filesystem::path main = folder.Write("scene.xml", text + "</mujoco>");
   EXPECT_NE(folder.ErrorOf([&] { TreeOf(main); }).find("is one file too many"), std::string::npos);
+}
+
+TEST(XmlTree, BytesOfAllFilesAreCounted) {
+  const TempFolder folder;
+  const std::string half(kMaxXmlBytes / 2, ' ');
+  folder.Write("leaf.xml", "<mujoco>" + half + "</mujoco>");
+  const std::filesystem::path main = folder.Write(
+      "scene.xml", "<mujoco><include file=\"leaf.xml\"/><include file=\"leaf.xml\"/></mujoco>");
+  EXPECT_EQ(
+      folder.ErrorOf([&] { TreeOf(main); }),
+      "scene.xml:1:35: error: <include file=\"leaf.xml\"> is too much: an MJCF may have 64 MiB, "
+      "with the files that it includes");
 }
 
 TEST(XmlTree, DeepFilesInsideDeepFilesEndInOneLine) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/support/config_error.h"
+#include "tests/support/temp_folder.h"
 
 namespace sidestep::config_tree_test {
 namespace {
@@ -106,6 +107,16 @@ TEST(ConfigTreeTest, RefusesMapsOfVeryManyKeys) {
   EXPECT_EQ(ErrorIn(keys(1000)), "no error");
   EXPECT_EQ(ErrorIn(keys(90'000)),
             "a.yaml:1001:1: error: is one key too many: a map has at most 1000");
+}
+
+TEST(ConfigTreeTest, KindsOfFilesAreToldByAKey) {
+  const TempFolder folder;
+  EXPECT_TRUE(IsConfigFileWith("kind", folder.Write("a.yaml", "{name: x, kind: 1}")));
+  EXPECT_FALSE(IsConfigFileWith("kind", folder.Write("b.yaml", "{name: kind, inner: {kind: 1}}")));
+  EXPECT_FALSE(IsConfigFileWith("kind", folder.Write("c.yaml", "[kind]")));
+  EXPECT_FALSE(IsConfigFileWith("kind", folder.Write("d.yaml", "kind: [")));
+  EXPECT_FALSE(IsConfigFileWith("kind", folder.path()));
+  EXPECT_FALSE(IsConfigFileWith("kind", folder.path() / "gone.yaml"));
 }
 
 TEST(ConfigTreeTest, ErrorsInAnOptionTellTheColumnOfTheValue) {

@@ -32,25 +32,30 @@ TEST(MjcfSizesTest, ALineCantAskForGigabytes) {
 TEST(MjcfSizesTest, NeitherBlanksNorEntitiesHideASize) {
   const std::string what = "a.xml:2:1: error: <size> has njmax = '";
   EXPECT_EQ(ErrorOf("<size\n\tnjmax = \"1e9\" />"), what + "1e9', more than a robot's 5000");
+  EXPECT_EQ(ErrorOf("<size\fnjmax\v='1e9'/>"), what + "1e9', more than a robot's 5000");
   EXPECT_EQ(ErrorOf("<size a='>' njmax='&#57;99999'/>"),
-            what + "&#57;99999', more than a robot's 5000");
+            what + "999999', more than a robot's 5000");
+  EXPECT_EQ(ErrorOf("<size njmax='&#x100000000000000039;'/>"),
+            what + "&#x100000000000000039;', more than a robot's 5000");
 }
 
 TEST(MjcfSizesTest, JointsAreCounted) {
   std::string joints;
   for (int i = 0; i < kMaxMjcfJoints; ++i) joints += "<freejoint/>\n";
   EXPECT_EQ(ErrorOf(joints + "<joint/>\n"),
-            "a.xml:802:1: error: is one joint too many: an MJCF may have 800");
+            "a.xml:802:1: error: is one joint too many: an MJCF may have 800, with the files that "
+            "it includes");
 }
 
 TEST(MjcfSizesTest, WhatARobotHasPasses) {
-  CheckMjcfSizes(
-      "a.xml",
-      "<mujoco><size njmax='2000' nconmax='500' nstack='1000000'/> <!-- <size nkey='1e9'> "
-      "--><asset><texture builtin='flat' width='512' height='3072'/></asset>");
-  for (const char* broken :
-       {"<", "<size", "<size njmax", "<size njmax=", "<size njmax='", "</", "<a =/="}) {
-    CheckMjcfSizes("a.xml", broken);
+  for (const char* text :
+       {"<mujoco><size njmax='2000' nconmax='500' nstack='1000000'/> <!-- <size nkey='1e9'> "
+        "--><asset><texture builtin='flat' width='512' height='3072'/></asset>",
+        "<size njmax='&#57;9'/>", "<", "<size", "<size njmax", "<size njmax=", "<size njmax='",
+        "</", "<a =/="}) {
+    XmlTags tags("a.xml", text);
+    MjcfSizes sizes;
+    while (const auto tag = tags.Next()) sizes.Check(tags, *tag);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "models/mjcf/mjcf.h"
 #include "models/support/config_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -231,7 +232,9 @@ TEST_F(RobotErrorTest, Mjcf) {
             "mini.xml:2:1: error: XML parse error 15; Error=XML_ERROR_PARSING ErrorID=15 (0xf)");
   EXPECT_EQ(
       ErrorOfMjcf("<freejoint/>", "<freejont/>"),
-      "mini.xml:5:1: error: XML Error: Schema violation: unrecognized element; Element 'freejont'");
+      "mini.xml:5:7: error: <freejont> is an element that MuJoCo 2.2 doesn't know; delete it");
+  EXPECT_EQ(ErrorOfMjcf("<motor joint=\"hip\"", "<motor kv=\"1\" joint=\"hip\""),
+            "mini.xml:20:5: error: <motor> has kv, which MuJoCo 2.2 doesn't know; delete it");
   EXPECT_EQ(ErrorOfMjcf("<motor joint=\"hip\"", "<motor joint=\"knee\""),
             "mini.xml:20:1: error: Error: unknown transmission target 'knee' for actuator id = 0; "
             "Object name = , id = 0");
@@ -239,12 +242,71 @@ TEST_F(RobotErrorTest, Mjcf) {
       ErrorOfMjcf("<touch name=\"foot_touch\" site=\"foot\"/>", ""),
       "robot.yaml:10:12: error: feet.0.name needs a sensor 'foot_touch', which the MJCF lacks");
   EXPECT_EQ(ErrorOfMjcf("mass=\"1\"", "mass=\"one\""),
-            "mini.xml:6:1: error: XML Error: problem reading attribute 'mass'; Element 'geom'");
+            "mini.xml:6:7: error: XML Error: problem reading attribute 'mass'; Element 'geom'");
 }
 
 TEST_F(RobotErrorTest, AnMjcfThatVanishedCantBeRead) {
   EXPECT_EQ(folder_.ErrorOf([&] { ReadMjcfModel(folder_.path() / "gone.xml"); }),
             "gone.xml: error: can't be read");
+}
+
+/// The robot `mini`, its actuators and sensors in files of their own.
+class RobotOfFilesTest : public testing::Test {
+ protected:
+  RobotOfFilesTest() {
+    const std::string whole = ReadConfigText(kRobots / "mini/mini.xml");
+    const std::size_t begin = whole.find("<actuator>");
+    folder_.Write("robot/mini.xml",
+                  whole.substr(0, begin) + "<include file=\"parts/all.xml\"/>\n" + "</mujoco>\n");
+    folder_.Write("robot/parts/all.xml",
+                  "<mujoco>\n<include file=\"parts/rest&#46;xml\"></include>\n</mujoco>\n");
+    folder_.Write("robot/parts/rest.xml", "<mujoco>\n" + whole.substr(begin));
+    yaml_ = folder_.Write("robot/robot.yaml", ReadConfigText(kRobots / "mini/robot.yaml"));
+  }
+
+  const TempFolder folder_;
+  std::filesystem::path yaml_;
+};
+
+TEST_F(RobotOfFilesTest, IsTheRobotOfOneFile) {
+  const RobotDescription whole = ReadRobotDescription(kRobots / "mini/robot.yaml");
+  const RobotDescription parts = ReadRobotDescription(yaml_);
+  std::filesystem::remove_all(folder_.path() / "robot");
+  const MjModelPtr expected = CompileMjcf(whole.model->simulated_mjcf, "", "whole");
+  const MjModelPtr actual = CompileMjcf(parts.model->simulated_mjcf, "", "parts");
+  EXPECT_EQ(mj_sizeModel(actual.get()), mj_sizeModel(expected.get()));
+  EXPECT_EQ(actual->nu, expected->nu);
+  EXPECT_EQ(actual->nsensor, expected->nsensor);
+  EXPECT_EQ(NamesIn(parts).bodies, NamesIn(whole).bodies);
+}
+
+TEST_F(RobotOfFilesTest, MistakesAreToldInTheirFile) {
+  const auto error = [&] { return folder_.ErrorOf([&] { ReadRobotDescription(yaml_); }); };
+  const std::string rest = ReadConfigText(folder_.path() / "robot/parts/rest.xml");
+  folder_.Write("robot/parts/rest.xml",
+                Edit(rest, "<motor joint=\"hip\"", "<motor  kv=\"3\" joint=\"hip\""));
+  EXPECT_EQ(error(),
+            "robot/parts/rest.xml:3:5: error: <motor> has kv, which MuJoCo 2.2 doesn't know; "
+            "delete it");
+  folder_.Write("robot/parts/all.xml", "<mujoco>\n<include file=\"rest.xml\"/>\n</mujoco>\n");
+  EXPECT_EQ(
+      error(),
+      "robot/parts/all.xml:2:1: error: <include> of 'rest.xml', which is no file in the folder "
+      "of mini.xml");
+}
+
+TEST_F(RobotOfFilesTest, MeshesAreForTheImport) {
+  folder_.Write("robot/m.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::string rest = ReadConfigText(folder_.path() / "robot/parts/rest.xml");
+  folder_.Write(
+      "robot/parts/rest.xml",
+      Edit(rest, "</mujoco>", "  <asset><mesh name=\"m\" file=\"m.obj\"/></asset></mujoco>"));
+  EXPECT_EQ(
+      folder_.ErrorOf([&] { ReadRobotDescription(yaml_); }),
+      "robot/parts/rest.xml:12:10: error: <mesh> reads the file 'm.obj', but a robot's MJCF is "
+      "compiled from its text alone; `sidestep robots import` takes it with its meshes");
 }
 
 TEST_F(RobotErrorTest, AnMjcfIsReadOnceAndItsFileNeededNoMore) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "models/support/config_error.h"
+#include "models/support/xml_tags.h"
 
 namespace sidestep::xml_bounds_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "tests/unit/planner/planner_test_support.h"
 
 namespace sidestep::bounce_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "controller/planner/bounce.h"
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "tests/unit/planner/planner_test_support.h"
 
 namespace sidestep::gait_planner_test {

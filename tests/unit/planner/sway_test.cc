@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "controller/planner/contact_schedule.h"
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "tests/unit/planner/planner_test_support.h"
 
 namespace sidestep::sway_test {

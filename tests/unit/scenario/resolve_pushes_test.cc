@@ -7,7 +7,7 @@
 #include <ctime>
 #include <numbers>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "sim/scenario/read_scenario.h"
 #include "sim/scenario/write_scenario.h"
 #include "tests/support/temp_folder.h"

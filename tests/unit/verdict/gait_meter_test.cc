@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "controller/types/gravity.h"
+#include "models/support/gravity.h"
 #include "tests/unit/verdict/verdict_test_support.h"
 
 namespace sidestep::gait_meter_test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// gravity: the one figure of the centroidal plant, the controller and the verdict; MuJoCo's
-// default.
+// gravity: the one figure of the importer, the centroidal plant, the controller and the verdict;
+// MuJoCo's default.
 
 namespace sidestep {
 
