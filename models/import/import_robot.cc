@@ -8,6 +8,8 @@
 #include "models/import/clean_up.h"
 #include "models/import/imported_robot.h"
 #include "models/import/mjcf_couplings.h"
+#include "models/import/plain_names.h"
+#include "models/import/raise_base.h"
 #include "models/import/read_mjcf.h"
 #include "models/import/read_source.h"
 #include "models/import/replace_meshes.h"
@@ -52,11 +54,13 @@ class Import {
                         : ReadSource(options_.source, &report_.done);
     it_.source = options_.source.filename().string();
     it_.name = options_.name.empty() ? PlainName(it_.robot.name) : options_.name;
+    MakeNamesPlain(&it_.robot, &report_.done);
     Problems problems(file_);
     CleanUp(&it_.robot, &problems, &report_.done);
     problems.ThrowIfAny();
     it_.plan = FindBodyPlan(it_.robot, file_, &report_.done);
     ChooseMode();
+    RaiseBase(it_.plan, &it_.robot, &report_.done);
     RefuseCouplings(it_.robot.couplings, it_.plan.Actuated());
     it_.feet = MakeFeet(it_.plan, file_, &meshes_, &it_.robot, &report_.done);
     ReplaceCollisionMeshes(&meshes_, &it_.robot, &report_.done);

@@ -29,6 +29,10 @@ MakerRobot Named(const std::string& name) {
     maker.foot = MakerFoot::kSpheres;
     maker.bends_hips_first = true;
     maker.has_wild_limits = true;
+  } else if (name == "floor") {
+    maker.foot = MakerFoot::kMarks;
+    maker.is_drawn_from_floor = true;
+    maker.has_odd_names = true;
   } else {
     maker.has_fingers = true;
     maker.has_floating_root = true;
@@ -105,8 +109,8 @@ TEST_P(Import, Walks) { ExpectPass("walk"); }
 TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) { ExpectPassOfSixteenPushes(); }
 
 INSTANTIATE_TEST_SUITE_P(Makers, Import,
-                         testing::Values("meshes", "trunk", "spheres", "fingers", "mjcf_motors",
-                                         "mjcf_servos", "mjcf_generals"),
+                         testing::Values("meshes", "trunk", "spheres", "fingers", "floor",
+                                         "mjcf_motors", "mjcf_servos", "mjcf_generals"),
                          [](const auto& maker) { return maker.param; });
 
 /// On points. It falls at none of the sixteen pushes; from two of them, sideways ones, it has not

@@ -29,7 +29,7 @@ void ExpectHome(const RobotDescription& robot) {
 }
 
 std::vector<MakerRobot> Makers() {
-  std::vector<MakerRobot> makers(5);
+  std::vector<MakerRobot> makers(6);
   makers[0].has_mesh_shapes = true;
   makers[0].foot = MakerFoot::kMesh;
   makers[0].has_gram_frames = true;
@@ -42,6 +42,9 @@ std::vector<MakerRobot> Makers() {
   makers[3].size = 0.7;
   makers[4].foot = MakerFoot::kNone;
   makers[4].size = 0.4;
+  makers[5].foot = MakerFoot::kMarks;
+  makers[5].is_drawn_from_floor = true;
+  makers[5].has_odd_names = true;
   return makers;
 }
 
