@@ -52,6 +52,12 @@ Gait ChooseGait(const StartPose& start, bool on_points) {
   return gait;
 }
 
+bool SlowDown(double least_s, Gait* gait) {
+  const bool is_slower = least_s > gait->swing_s;
+  if (is_slower) gait->swing_s = kKnot_s * std::ceil(least_s / kKnot_s);
+  return is_slower;
+}
+
 ControlFigures ChooseControl(double mass_kg, double com_height_m) {
   const double size = com_height_m / kHeight_m;
   const double weight = mass_kg * kGravity_mps2 / kWeight_N;

@@ -7,6 +7,7 @@
 
 #include "models/import/clean_up.h"
 #include "models/import/imported_robot.h"
+#include "models/import/lift_time.h"
 #include "models/import/mjcf_couplings.h"
 #include "models/import/plain_names.h"
 #include "models/import/raise_base.h"
@@ -172,6 +173,7 @@ class Import {
     it_.gait = ChooseGait(it_.start, on_points);
     it_.motors =
         ChooseMotors(it_.plan, gravity_Nm, it_.gait.omega_radps, &it_.robot, &report_.done);
+    if (!on_points) MindKnees();
     it_.control = on_points ? ChoosePointControl(it_.mass_kg, it_.start.com_height_m)
                             : ChooseControl(it_.mass_kg, it_.start.com_height_m);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -189,6 +191,16 @@ class Import {
     if (on_points) return;
     for (std::string& note : WeakAnkles(it_.robot, it_.plan, it_.feet))
       report_.to_decide.push_back(std::move(note));
+  }
+
+  /// A knee whose motor is busy with its own rotor swings no quicker than that allows.
+  void MindKnees() {
+    const double least_s = LeastLiftTime_s(it_.robot, it_.plan, it_.start, it_.gait.swing_height_m);
+    if (SlowDown(least_s, &it_.gait)) {
+      report_.done.push_back("chose a swing of " + Figure(it_.gait.swing_s) +
+                             " s: the knees' torque takes " + Figure(least_s, 3) +
+                             " s for their armature and damping");
+    }
   }
 
   void Tell() {

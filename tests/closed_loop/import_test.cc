@@ -50,6 +50,8 @@ MakerMjcf MjcfNamed(const std::string& name) {
     maker.actuators = MjcfActuators::kPositions;
     maker.has_newer_words = true;
     maker.is_fixed = true;
+  } else if (name == "mjcf_rotors") {
+    maker.armature_kgm2 = 1e-4;  // without the square of the gear's ratio
   } else {
     maker.actuators = MjcfActuators::kGenerals;
     maker.foot = MjcfFoot::kCapsules;
@@ -110,7 +112,8 @@ TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) { ExpectPassOfSixteenPush
 
 INSTANTIATE_TEST_SUITE_P(Makers, Import,
                          testing::Values("meshes", "trunk", "spheres", "fingers", "floor",
-                                         "mjcf_motors", "mjcf_servos", "mjcf_generals"),
+                                         "mjcf_motors", "mjcf_servos", "mjcf_generals",
+                                         "mjcf_rotors"),
                          [](const auto& maker) { return maker.param; });
 
 /// On points. It falls at none of the sixteen pushes; from two of them, sideways ones, it has not

@@ -5,6 +5,7 @@
 
 #include "models/robot_description/home_pose.h"
 #include "models/robot_description/robot_description.h"
+#include "tests/support/maker_mjcf.h"
 #include "tests/unit/import/source_of.h"
 
 namespace sidestep::importer {
@@ -101,6 +102,21 @@ TEST(ImportRobot, IsTheSameEveryTime) {
   for (const char* file : {"out/robot.yaml", "out/robot.urdf", "out/maker_walk.yaml"}) {
     EXPECT_EQ(ReadTextFile(first.path() / file), ReadTextFile(second.path() / file));
   }
+}
+
+Notes DoneWith(double armature_kgm2) {
+  const TempFolder folder;
+  MakerMjcf maker;
+  maker.armature_kgm2 = armature_kgm2;
+  ImportOptions options;
+  options.source = WriteMakerMjcf(maker, "maker", folder.path() / "maker");
+  options.folder = folder.path() / "out";
+  return ImportRobot(options).done;
+}
+
+TEST(ImportRobot, StepsAsSlowlyAsHeavyRotorsDo) {
+  EXPECT_TRUE(HasNote(DoneWith(6.0), "chose a swing of 0.4"));
+  EXPECT_FALSE(HasNote(DoneWith(0.04), "chose a swing"));
 }
 
 }  // namespace
