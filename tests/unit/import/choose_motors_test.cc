@@ -115,6 +115,13 @@ TEST(ChooseControl, GenericHumanoidKeepsItsOwn) {
   EXPECT_DOUBLE_EQ(ChooseControl(6.0, 0.8149).contact_threshold_N, 2.5);
 }
 
+TEST(ChooseControl, FeetGiveWayToALoadAsQuicklyAtEverySize) {
+  const ControlFigures big = ChooseControl(60.0, 0.8), small = ChooseControl(6.0, 0.2);
+  const double stiffness = 6.0 / 0.2 / (60.0 / 0.8);  // of a leg, by m g / h
+  EXPECT_NEAR(small.foot_load_compliance_mps_per_N * stiffness / big.foot_load_compliance_mps_per_N,
+              1.0, 0.01);
+}
+
 TEST(ChooseMotors, ChoosesArmaturesThatBearNoServo) {
   Notes notes;
   MakerMjcf maker;
