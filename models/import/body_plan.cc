@@ -83,9 +83,9 @@ class PlanFinder : private Branches {
     }
     const double feet = std::max(Lowest(left), Lowest(right));
     for (const int link : robot_.order) {
-      const bool has_mass = robot_.links[static_cast<std::size_t>(link)].has_mass();
-      if (in_limbs.count(link) > 0 || !has_mass ||
-          Place(link).z() > feet + kLeastClearance * Height())
+      const MassProperties& mass = Link(link).mass;  // an origin may be anywhere
+      if (in_limbs.count(link) > 0 || !Link(link).has_mass() ||
+          (zero().X_WL(link) * mass.com_m).z() > feet + kLeastClearance * Height())
         continue;
       Fail("has no two legs that stand on the ground: '" + Name(link) +
            "' is no higher than the ends of '" + Name(left) + "' and '" + Name(right) + "'");

@@ -52,6 +52,12 @@ Gait ChooseGait(const StartPose& start, bool on_points) {
   return gait;
 }
 
+bool SlowDown(double least_s, Gait* gait) {
+  const bool is_slower = least_s > gait->swing_s;
+  if (is_slower) gait->swing_s = kKnot_s * std::ceil(least_s / kKnot_s);
+  return is_slower;
+}
+
 ControlFigures ChooseControl(double mass_kg, double com_height_m) {
   const double size = com_height_m / kHeight_m;
   const double weight = mass_kg * kGravity_mps2 / kWeight_N;
@@ -62,7 +68,9 @@ ControlFigures ChooseControl(double mass_kg, double com_height_m) {
   figures.contact_threshold_N = Rounded(25.0 * weight);
   figures.push_deadband_N = Rounded(20.0 * weight);
   figures.foot_moment_compliance_radps_per_Nm = Rounded(0.002 / (weight * size));
-  figures.foot_load_compliance_mps_per_N = Rounded(0.0001 / weight);
+  // Over the stiffness of a leg on its servos, m g / h: the loop's bandwidth, which the
+  // controller's period bounds whatever the robot's size.
+  figures.foot_load_compliance_mps_per_N = Rounded(0.0001 * size / weight);
   return figures;
 }
 

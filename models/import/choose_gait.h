@@ -24,6 +24,9 @@ struct Gait {
 /// @param on_points  Whether the feet are points, on which a robot can't stand still.
 Gait ChooseGait(const StartPose& start, bool on_points);
 
+/// Gives the swing `least_s` at least, in whole steps of the MPC. Returns whether it was shorter.
+bool SlowDown(double least_s, Gait* gait);
+
 /// Of robot.yaml's `control`. Momentum and force are divided by the mass in the MPC, so that its
 /// weights depend on the height alone.
 struct ControlFigures {

@@ -2,6 +2,7 @@
 #include "models/import/choose_motors.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "models/import/text.h"
 #include "models/robot_description/robot_figures.h"
@@ -62,8 +63,14 @@ class MotorChooser {
     if (!has_damping && !tells_rotors_) {
       chosen.joint_damping_Nms_per_rad = Rounded(ratios.joint_damping_s * gravity_Nm_);
     }
+    const double least = std::min(ratios.stiffness, kStiffEnough) * gravity_Nm_;
     for (const int joint : joints) {
       Limit(ratios, &Joint(joint));
+      const double tells_kgm2 = Joint(joint).armature_kgm2;
+      if (tells_kgm2 > 0.0 && Bears(tells_kgm2) < least) {
+        armatures_.push_back(Joint(joint).name);
+        Joint(joint).armature_kgm2 = 0.0;
+      }
       AddTo(GroupOf(chosen, Joint(joint)), joint);
     }
   }
@@ -77,11 +84,21 @@ class MotorChooser {
       notes->push_back("chose the velocity limits of " + Listed(velocities_) + ": the " +
                        robot_.language + " has none or more than any motor has");
     }
+    if (!armatures_.empty()) {
+      notes->push_back("chose the armatures of " + Listed(armatures_) + ": on the " +
+                       robot_.language + "'s a servo that 1 ms bears doesn't hold the robot " +
+                       "(a rotor's inertia counts by the square of the gear's ratio)");
+    }
     TellServos(notes);
     return std::move(groups_);
   }
 
  private:
+  /// The stiffest servo (Nm/rad) on such a rotor.
+  static double Bears(double armature_kgm2) {
+    return Rounded(kStableStiffness * armature_kgm2 / (kStep_s * kStep_s));
+  }
+
   static bool TellsRotors(const SourceRobot& robot) {
     return std::any_of(robot.joints.begin(), robot.joints.end(),
                        [](const SourceJoint& joint) { return joint.armature_kgm2 > 0.0; });
@@ -89,7 +106,12 @@ class MotorChooser {
 
   /// `chosen`, with what the source tells of the joint in its stead.
   MotorGroup GroupOf(MotorGroup chosen, const SourceJoint& joint) const {
-    if (joint.armature_kgm2 > 0.0) chosen.armature_kgm2 = joint.armature_kgm2;
+    if (joint.armature_kgm2 > 0.0) {
+      // A heavier rotor on as stiff a servo swings on unless it is damped the more.
+      const double heavier = std::max(1.0, joint.armature_kgm2 / chosen.armature_kgm2);
+      chosen.damping_Nms_per_rad = Rounded(chosen.damping_Nms_per_rad * std::sqrt(heavier));
+      chosen.armature_kgm2 = joint.armature_kgm2;
+    }
     if (has_servos_ && joint.servo_stiffness_Nm_per_rad > 0.0) {
       chosen.stiffness_Nm_per_rad = joint.servo_stiffness_Nm_per_rad;
       if (joint.servo_damping_Nms_per_rad > 0.0)
@@ -100,7 +122,7 @@ class MotorChooser {
     chosen.damping_Nms_per_rad =
         std::min(chosen.damping_Nms_per_rad, Rounded(kStableShare * per_step));
     chosen.stiffness_Nm_per_rad =
-        std::min(chosen.stiffness_Nm_per_rad, Rounded(kStableStiffness * per_step / kStep_s));
+        std::min(chosen.stiffness_Nm_per_rad, Bears(chosen.armature_kgm2));
     return chosen;
   }
 
@@ -153,7 +175,7 @@ class MotorChooser {
   bool has_servos_{false};
   double softest_{0.0};  // stiffness of the legs' servos in the source
   std::vector<MotorGroup> groups_;
-  std::vector<std::string> efforts_, velocities_;
+  std::vector<std::string> efforts_, velocities_, armatures_;
 };
 
 }  // namespace

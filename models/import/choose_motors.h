@@ -27,8 +27,9 @@ struct MotorGroup {
 };
 
 /// Fills the joints' efforts and velocities where the source has none or impossible ones, and says
-/// so in their notes. Armatures that it tells are kept, and servos damped no more than these bear
-/// in a step; servos that it tells are taken if the legs' are stiff enough to carry the robot.
+/// so in their notes. Armatures that it tells are kept if they bear servos that hold the robot
+/// (else they become 0, unknown), and servos damped no more than these bear in a step; servos that
+/// it tells are taken if the legs' are stiff enough to carry the robot.
 /// @param gravity_Nm   m g h.
 /// @param omega_radps  sqrt(g / h): the smaller a robot, the quicker its joints.
 std::vector<MotorGroup> ChooseMotors(const BodyPlan& plan, double gravity_Nm, double omega_radps,

@@ -87,10 +87,9 @@ class FootMaker {
       if (sole.length_m >= kLeastLength_m && sole.width_m >= kLeastWidth_m) return foot;
     }
     if (foot.found_in.empty() && Link(link).has_mass()) {
-      std::vector<SurfacePoint> points;
-      for (const Eigen::Vector3d& p : SurfaceOf(BoxOfInertia(Link(link).mass), nullptr)) {
-        points.push_back({p, 0.0});
-      }
+      std::vector<SurfacePoint> points;  // level where all joints are at zero, as most feet are
+      const SourceShape box = BoxOfInertia(Link(link).mass, R_FootSole(link));
+      for (const Eigen::Vector3d& p : SurfaceOf(box, nullptr)) points.push_back({p, 0.0});
       foot.sole = FitTo(link, points);
       foot.found_in = "inertia, as it has no shape that could be read";
       foot.is_guessed = true;
@@ -99,21 +98,27 @@ class FootMaker {
     return foot;
   }
 
-  Sole FitTo(int link, const std::vector<SurfacePoint>& points) const {
+  /// Axes of a sole that is level where all joints are at zero, in the foot's frame.
+  Eigen::Matrix3d R_FootSole(int link) const {
     const Placement zero(robot_, ZeroPosture(robot_));
-    const Eigen::Matrix3d R_FW = zero.X_WL(link).linear().transpose();
-    const Eigen::Vector3d forward(std::cos(plan_.facing_rad), std::sin(plan_.facing_rad), 0.0);
-    return FitSole(points, R_FW * forward, R_FW * Eigen::Vector3d::UnitZ());
+    return zero.X_WL(link).linear().transpose() *
+           Eigen::AngleAxisd(plan_.facing_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 
-  /// A foot's meshes, and a foot without a shape, become one box above the sole.
+  Sole FitTo(int link, const std::vector<SurfacePoint>& points) const {
+    const Eigen::Matrix3d R_FS = R_FootSole(link);
+    return FitSole(points, R_FS.col(0), R_FS.col(2));
+  }
+
+  /// A foot's meshes and points, and a foot without a shape, become one box above the sole.
   void ReplaceMeshes(int foot, const Sole& sole) {
     bool has_shape = false;
     std::vector<std::string> replaced;
     for (const int link : Subtree(robot_, foot)) {
       std::vector<SourceShape>& shapes = Link(link).collisions;
       const std::size_t before = shapes.size();
-      std::erase_if(shapes, [](const SourceShape& s) { return s.kind == ShapeKind::kMesh; });
+      std::erase_if(shapes,
+                    [](const SourceShape& s) { return s.kind == ShapeKind::kMesh || IsEmpty(s); });
       if (shapes.size() < before) replaced.push_back(Link(link).name);
       has_shape = has_shape || !shapes.empty();
     }
@@ -123,11 +128,11 @@ class FootMaker {
     box.size_m << sole.length_m, sole.width_m, thickness_m;
     box.X_LS = sole.X_FS * Eigen::Translation3d(0.0, 0.0, 0.5 * thickness_m);
     box.note = replaced.empty() ? "the foot had no collision shape: its sole as a box"
-                                : "its sole, fitted, instead of a mesh";
+                                : "its sole, fitted, instead of meshes and points";
     Link(foot).collisions.push_back(box);
     notes_.push_back("'" + Link(foot).name + "' stands on a box of " +
                      Figure(1e3 * sole.length_m, 3) + " mm x " + Figure(1e3 * sole.width_m, 3) +
-                     " mm" + (replaced.empty() ? "" : " instead of meshes"));
+                     " mm" + (replaced.empty() ? "" : " instead of meshes or points"));
   }
 
   static Eigen::Matrix3Xd Vertices(const Sole& sole) {

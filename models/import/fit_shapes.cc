@@ -11,6 +11,7 @@ namespace sidestep::importer {
 namespace {
 
 constexpr double kLeastEdge_m = 0.002;  // thinner shapes slip through others within a step
+constexpr double kLeastSize_m = 1e-4;   // less is a point, a line or a sheet
 constexpr int kRimPoints = 16;
 
 /// Right-handed principal axes of the points about their mean, the shortest extent first.
@@ -79,17 +80,34 @@ SourceShape FitShape(const std::vector<Eigen::Vector3d>& points) {
 
 SourceShape BoxOfInertia(const MassProperties& mass) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(mass.inertia_kgm2);
-  const Eigen::Vector3d& I = solver.eigenvalues();
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0.0) axes.col(0) = -axes.col(0);
+  return BoxOfInertia(mass, axes);
+}
+
+SourceShape BoxOfInertia(const MassProperties& mass, const Eigen::Matrix3d& R_LB) {
+  const Eigen::Vector3d I = (R_LB.transpose() * mass.inertia_kgm2 * R_LB).diagonal();
   SourceShape shape;
   for (Eigen::Index i = 0; i < 3; ++i) {  // I_i = m (b^2 + c^2) / 12
     const double square = 6.0 * (I.sum() - 2.0 * I[i]) / mass.mass_kg;
     shape.size_m[i] = std::max(kLeastEdge_m, std::sqrt(std::max(0.0, square)));
   }
-  shape.X_LS.linear() = axes;
+  shape.X_LS.linear() = R_LB;
   shape.X_LS.translation() = mass.com_m;
   return shape;
+}
+
+bool IsEmpty(const SourceShape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::kMesh:
+      return false;
+    case ShapeKind::kSphere:
+      return shape.size_m.x() < kLeastSize_m;
+    case ShapeKind::kCylinder:
+      return shape.size_m.head<2>().minCoeff() < kLeastSize_m;
+    default:
+      return shape.size_m.minCoeff() < kLeastSize_m;
+  }
 }
 
 std::vector<Eigen::Vector3d> SurfaceOf(const SourceShape& shape, const Mesh* mesh) {

@@ -16,8 +16,15 @@ SourceShape FitShape(const std::vector<Eigen::Vector3d>& points);
 /// The homogeneous box with this inertia, in the link's frame. Requires a possible inertia.
 SourceShape BoxOfInertia(const MassProperties& mass);
 
+/// The same with the axes R_LB in the link instead of the principal ones; products of inertia about
+/// them are passed over.
+SourceShape BoxOfInertia(const MassProperties& mass, const Eigen::Matrix3d& R_LB);
+
 /// Vertices of a shape's surface, in the link: a mesh's own, corners of a box, rims of a cylinder;
 /// a sphere has none but its middle.
 std::vector<Eigen::Vector3d> SurfaceOf(const SourceShape& shape, const Mesh* mesh);
+
+/// Whether a shape that is no mesh has no volume, as points that mark contacts have: none collides.
+bool IsEmpty(const SourceShape& shape);
 
 }  // namespace sidestep::importer

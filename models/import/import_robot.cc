@@ -7,7 +7,10 @@
 
 #include "models/import/clean_up.h"
 #include "models/import/imported_robot.h"
+#include "models/import/lift_time.h"
 #include "models/import/mjcf_couplings.h"
+#include "models/import/plain_names.h"
+#include "models/import/raise_base.h"
 #include "models/import/read_mjcf.h"
 #include "models/import/read_source.h"
 #include "models/import/replace_meshes.h"
@@ -51,11 +54,13 @@ class Import {
                         : ReadSource(options_.source, &report_.done);
     it_.source = options_.source.filename().string();
     it_.name = options_.name.empty() ? PlainName(it_.robot.name) : options_.name;
+    MakeNamesPlain(&it_.robot, &report_.done);
     Problems problems(file_);
     CleanUp(&it_.robot, &problems, &report_.done);
     problems.ThrowIfAny();
     it_.plan = FindBodyPlan(it_.robot, file_, &report_.done);
     ChooseMode();
+    RaiseBase(it_.plan, &it_.robot, &report_.done);
     RefuseCouplings(it_.robot.couplings, it_.plan.Actuated());
     it_.feet = MakeFeet(it_.plan, file_, &meshes_, &it_.robot, &report_.done);
     ReplaceCollisionMeshes(&meshes_, &it_.robot, &report_.done);
@@ -167,6 +172,7 @@ class Import {
     it_.gait = ChooseGait(it_.start, on_points);
     it_.motors =
         ChooseMotors(it_.plan, gravity_Nm, it_.gait.omega_radps, &it_.robot, &report_.done);
+    if (!on_points) MindKnees();
     it_.control = on_points ? ChoosePointControl(it_.mass_kg, it_.start.com_height_m)
                             : ChooseControl(it_.mass_kg, it_.start.com_height_m);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -184,6 +190,16 @@ class Import {
     if (on_points) return;
     for (std::string& note : WeakAnkles(it_.robot, it_.plan, it_.feet))
       report_.to_decide.push_back(std::move(note));
+  }
+
+  /// A knee whose motor is busy with its own rotor swings no quicker than that allows.
+  void MindKnees() {
+    const double least_s = LeastLiftTime_s(it_.robot, it_.plan, it_.start, it_.gait.swing_height_m);
+    if (SlowDown(least_s, &it_.gait)) {
+      report_.done.push_back("chose a swing of " + Figure(it_.gait.swing_s) +
+                             " s: the knees' torque takes " + Figure(least_s, 3) +
+                             " s for their armature and damping");
+    }
   }
 
   void Tell() {

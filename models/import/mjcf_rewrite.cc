@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "models/import/mjcf_couplings.h"
+#include "models/import/mjcf_floors.h"
 #include "models/import/mjcf_frames.h"
 #include "models/import/mjcf_meshes.h"
 #include "models/import/mjcf_newer.h"
@@ -37,6 +38,7 @@ class Rewriter {
     Part("compiler").Set("convexhull", "false");  // we fit our own, and flat meshes have none
     parts_.root.children.insert(parts_.root.children.begin() + 1, defaults_.begin(),
                                 defaults_.end());
+    StandInForFloors(&Part("worldbody"), &Part("contact"), &notes_);
     ResolveMeshes(tree_, &Part("asset"), &parts_.root, files_, &problems_);
     FindCouplings(tree_, &parts_, &problems_, &notes_);
     newer_.Tell(&notes_);

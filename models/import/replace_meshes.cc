@@ -45,8 +45,10 @@ std::size_t CountMeshes(const SourceRobot& robot) {
 }  // namespace
 
 void ReplaceCollisionMeshes(MeshFiles* meshes, SourceRobot* robot, Notes* notes) {
-  std::vector<std::string> fitted, from_inertia, dropped;
+  std::vector<std::string> fitted, from_inertia, dropped, empty;
   for (SourceLink& link : robot->links) {
+    std::erase_if(link.visuals, IsEmpty);
+    if (std::erase_if(link.collisions, IsEmpty) > 0) empty.push_back(link.name);
     std::vector<SourceShape> kept;
     bool has_box = false;
     for (const SourceShape& shape : link.collisions) {
@@ -74,6 +76,9 @@ void ReplaceCollisionMeshes(MeshFiles* meshes, SourceRobot* robot, Notes* notes)
     notes->push_back("fitted boxes and capsules to the meshes of " + Listed(fitted));
   if (!from_inertia.empty()) {
     notes->push_back("took boxes of their inertia for the shapes of " + Listed(from_inertia));
+  }
+  if (!empty.empty()) {
+    notes->push_back("left out collision shapes of " + Listed(empty) + ", which have no volume");
   }
   if (!dropped.empty()) notes->push_back("left out the collision meshes of " + Listed(dropped));
 }

@@ -12,7 +12,8 @@
 namespace sidestep::importer {
 
 /// Every mesh that collides becomes a shape fitted to its vertices or, where the file can't be
-/// read, the box of its link's inertia. Feet have been seen to before.
+/// read, the box of its link's inertia. Shapes without volume are left out. Feet have been seen to
+/// before.
 void ReplaceCollisionMeshes(MeshFiles* meshes, SourceRobot* robot, Notes* notes);
 
 /// Takes out shapes of links other than `feet` (and all that these carry) that would touch the

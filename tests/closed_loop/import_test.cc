@@ -29,6 +29,10 @@ MakerRobot Named(const std::string& name) {
     maker.foot = MakerFoot::kSpheres;
     maker.bends_hips_first = true;
     maker.has_wild_limits = true;
+  } else if (name == "floor") {
+    maker.foot = MakerFoot::kMarks;
+    maker.is_drawn_from_floor = true;
+    maker.has_odd_names = true;
   } else {
     maker.has_fingers = true;
     maker.has_floating_root = true;
@@ -46,6 +50,8 @@ MakerMjcf MjcfNamed(const std::string& name) {
     maker.actuators = MjcfActuators::kPositions;
     maker.has_newer_words = true;
     maker.is_fixed = true;
+  } else if (name == "mjcf_rotors") {
+    maker.armature_kgm2 = 1e-4;  // without the square of the gear's ratio
   } else {
     maker.actuators = MjcfActuators::kGenerals;
     maker.foot = MjcfFoot::kCapsules;
@@ -105,8 +111,9 @@ TEST_P(Import, Walks) { ExpectPass("walk"); }
 TEST_P(Import, SurvivesAPushFromFourSidesInFourPhases) { ExpectPassOfSixteenPushes(); }
 
 INSTANTIATE_TEST_SUITE_P(Makers, Import,
-                         testing::Values("meshes", "trunk", "spheres", "fingers", "mjcf_motors",
-                                         "mjcf_servos", "mjcf_generals"),
+                         testing::Values("meshes", "trunk", "spheres", "fingers", "floor",
+                                         "mjcf_motors", "mjcf_servos", "mjcf_generals",
+                                         "mjcf_rotors"),
                          [](const auto& maker) { return maker.param; });
 
 /// On points. A push to the side of the leg it stands on costs it a step the wrong way first, so

@@ -34,7 +34,7 @@ class MjcfWriter {
 
   void WriteDefaults() {
     out_ << "<default><default class=\"maker\">\n"
-         << "<joint type=\"hinge\" armature=\"0.04\" damping=\"0.6\""
+         << "<joint type=\"hinge\" armature=\"" << robot_.armature_kgm2 << "\" damping=\"0.6\""
          << Newer(" actuatorfrcrange=\"-180 180\"") << "/>\n"
          << "<motor ctrlrange=\"-200 200\"/>\n"
          << "<position kp=\"9000\" forcerange=\"-200 200\""

@@ -18,7 +18,8 @@ struct MakerMjcf {
   bool shares_hips{false};  ///< A thigh has all three joints of its hip, a foot both of its ankle.
   bool has_newer_words{false};
   bool is_fixed{false};  ///< Without a free joint.
-  bool has_head{true};   ///< With a neck that moves.
+  double armature_kgm2{0.04};
+  bool has_head{true};  ///< With a neck that moves.
 };
 
 /// The robot alone. Without has_newer_words our MuJoCo takes it as it is.

@@ -12,9 +12,21 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
+void ReplaceAll(const std::string& what, const std::string& with, std::string* text) {
+  for (std::size_t at = 0; (at = text->find(what, at)) != std::string::npos; at += with.size())
+    text->replace(at, what.size(), with);
+}
+
+std::string WithOddNames(std::string urdf) {
+  ReplaceAll("\"trunk\"", "\"trunk \"", &urdf);
+  ReplaceAll("_knee\"", ":knee\"", &urdf);
+  return urdf;
+}
+
 class Writer {
  public:
-  explicit Writer(const MakerRobot& robot) : robot_(robot), s_(robot.size) {}
+  explicit Writer(const MakerRobot& robot)
+      : robot_(robot), s_(robot.size), up_(0, 0, robot.is_drawn_from_floor ? 0.85 : 0) {}
 
   std::string Write() {
     out_ << "<?xml version=\"1.0\"?>\n<robot name=\"" << robot_.name << "\">\n"
@@ -25,12 +37,12 @@ class Writer {
               "link=\"world\"/><child link=\""
            << (robot_.is_rooted_in_trunk ? "trunk" : "pelvis") << "\"/></joint>\n";
     }
-    Link("pelvis", 9.0, {0, 0, 0.02}, {0.16, 0.22, 0.12});
+    Link("pelvis", 9.0, up_ + Vector(0, 0, 0.02), {0.16, 0.22, 0.12});
     Link("trunk", 18.0, {0, 0, 0.2}, {0.18, 0.28, 0.4}, robot_.has_mesh_shapes);
     if (robot_.is_rooted_in_trunk) {
       Moving("waist_yaw", "trunk", "pelvis", {0, 0, -0.1}, {0, 0, 1}, -1.2, 1.2, 80);
     } else {
-      Moving("waist_yaw", "pelvis", "trunk", {0, 0, 0.1}, {0, 0, 1}, -1.2, 1.2, 80);
+      Moving("waist_yaw", "pelvis", "trunk", up_ + Vector(0, 0, 0.1), {0, 0, 1}, -1.2, 1.2, 80);
     }
     Link("head", 3.0, {0, 0, 0.1}, {0.16, 0.14, 0.2});
     Moving("neck_pitch", "trunk", "head", {0, 0, 0.44}, {0, 1, 0}, -0.5, 0.5, 10);
@@ -46,7 +58,7 @@ class Writer {
       Fixed("imu_mount", robot_.is_rooted_in_trunk ? "trunk" : "pelvis", "imu_link", {0, 0, 0.05});
     }
     out_ << "</robot>\n";
-    return out_.str();
+    return robot_.has_odd_names ? WithOddNames(out_.str()) : out_.str();
   }
 
  private:
@@ -103,7 +115,7 @@ class Writer {
         robot_.bends_hips_first ? std::array<std::string, 3>{"pitch", "roll", "yaw"}
                                 : std::array<std::string, 3>{"yaw", "roll", "pitch"};
     std::string parent = "pelvis";
-    Vector at(0, 0.09 * side, -0.06);
+    Vector at = up_ + Vector(0, 0.09 * side, -0.06);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string child = p + (i < 2 ? "hip_" + order[i] + "_link" : "thigh");
       if (i < 2) {
@@ -142,7 +154,8 @@ class Writer {
     const bool is_mesh = robot_.foot == MakerFoot::kMesh;
     const bool has_box = robot_.foot == MakerFoot::kBox || is_mesh;
     Link(name, 1.0, {0.03, 0, -0.07}, {0.22, 0.1, 0.03}, is_mesh, has_box);
-    if (robot_.foot != MakerFoot::kSpheres) return;
+    const bool is_marked = robot_.foot == MakerFoot::kMarks;
+    if (robot_.foot != MakerFoot::kSpheres && !is_marked) return;
     std::string text = out_.str();
     text.erase(text.rfind("</link>"));
     out_.str(text);
@@ -150,7 +163,8 @@ class Writer {
     for (const double x : {0.135, -0.075}) {
       for (const double y : {0.045, -0.045}) {
         out_ << "  <collision><origin xyz=\"" << Triple(s_ * Vector(x, y, -0.08))
-             << "\"/><geometry><sphere radius=\"" << 0.005 * s_ << "\"/></geometry></collision>\n";
+             << "\"/><geometry><sphere radius=\"" << (is_marked ? 0.0 : 0.005 * s_)
+             << "\"/></geometry></collision>\n";
       }
     }
     out_ << "</link>\n";
@@ -183,6 +197,7 @@ class Writer {
 
   const MakerRobot& robot_;
   double s_;
+  Vector up_;  // from the pelvis' origin to where it is drawn, at size 1
   std::ostringstream out_;
 };
 

@@ -115,5 +115,43 @@ TEST(ChooseControl, GenericHumanoidKeepsItsOwn) {
   EXPECT_DOUBLE_EQ(ChooseControl(6.0, 0.8149).contact_threshold_N, 2.5);
 }
 
+TEST(ChooseControl, FeetGiveWayToALoadAsQuicklyAtEverySize) {
+  const ControlFigures big = ChooseControl(60.0, 0.8), small = ChooseControl(6.0, 0.2);
+  const double stiffness = 6.0 / 0.2 / (60.0 / 0.8);  // of a leg, by m g / h
+  EXPECT_NEAR(small.foot_load_compliance_mps_per_N * stiffness / big.foot_load_compliance_mps_per_N,
+              1.0, 0.01);
+}
+
+TEST(ChooseMotors, ChoosesArmaturesThatBearNoServo) {
+  Notes notes;
+  MakerMjcf maker;
+  maker.armature_kgm2 = 1e-4;  // without the square of the gear's ratio
+  for (const MotorGroup& group : MotorsOf(maker, 400.0, &notes)) {
+    EXPECT_GE(group.armature_kgm2, 0.025) << group.name;
+    EXPECT_GT(group.stiffness_Nm_per_rad, (group.name == "arms" ? 0.8 : 20.0) * 400.0);
+  }
+  EXPECT_TRUE(HasNote(notes, "chose the armatures of 'left_hip_yaw', 'left_hip_roll'"));
+}
+
+TEST(ChooseMotors, DampsHeavierRotorsByTheirRoot) {
+  Notes notes;
+  MakerMjcf maker;
+  maker.armature_kgm2 = 0.05;  // what 400 Nm choose
+  const double light = MotorsOf(maker, 400.0, &notes)[0].damping_Nms_per_rad;
+  maker.armature_kgm2 = 100 * 0.05;
+  const double heavy = MotorsOf(maker, 400.0, &notes)[0].damping_Nms_per_rad;
+  EXPECT_DOUBLE_EQ(light, 25.0);
+  EXPECT_DOUBLE_EQ(heavy, 250.0);
+}
+
+TEST(ChooseGait, SlowsDownByWholeKnots) {
+  Gait gait;
+  gait.swing_s = 0.2;
+  EXPECT_FALSE(SlowDown(0.19, &gait));
+  EXPECT_EQ(gait.swing_s, 0.2);
+  EXPECT_TRUE(SlowDown(0.26, &gait));
+  EXPECT_NEAR(gait.swing_s, 0.3, 1e-12);
+}
+
 }  // namespace
 }  // namespace sidestep::importer

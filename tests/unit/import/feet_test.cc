@@ -63,5 +63,36 @@ TEST(Feet, ACapsuleTouchesUnderItsEndsAndNotAtThem) {
   EXPECT_NEAR(foot.sole.X_FS.translation().z(), -0.07, 1e-6);
 }
 
+TEST(Feet, PointsThatMarkASoleBecomeABoxOverThem) {
+  MakerRobot maker;
+  maker.foot = MakerFoot::kMarks;
+  Notes notes;
+  SourceRobot robot = SourceOf(maker);
+  const Foot foot = LeftFootOf(&robot, &notes);
+  EXPECT_NEAR(foot.sole.length_m, 0.21, 1e-9);
+  EXPECT_NEAR(foot.sole.width_m, 0.09, 1e-9);
+  const std::vector<SourceShape>& shapes = LinkCalled(robot, "left_foot").collisions;
+  ASSERT_EQ(shapes.size(), 1U);
+  EXPECT_EQ(shapes[0].kind, ShapeKind::kBox);
+  EXPECT_NEAR(shapes[0].X_LS.translation().z() - 0.5 * shapes[0].size_m.z(), -0.08, 1e-9);
+}
+
+TEST(Feet, AGuessFromATurnedInertiaIsLevelAllTheSame) {
+  MakerRobot maker;
+  maker.foot = MakerFoot::kNone;
+  Notes notes;
+  SourceRobot robot = SourceOf(maker);
+  for (SourceLink& link : robot.links) {
+    link.visuals.clear();
+    const Eigen::Matrix3d R =
+        Eigen::AngleAxisd(0.3, Eigen::Vector3d(0.6, 0.8, 0.0)).toRotationMatrix();
+    link.mass.inertia_kgm2 = R * link.mass.inertia_kgm2 * R.transpose();
+  }
+  const Foot foot = LeftFootOf(&robot, &notes);
+  EXPECT_TRUE(foot.is_guessed);
+  EXPECT_NEAR(foot.sole.tilt_rad, 0.0, 1e-6);
+  EXPECT_GT(foot.sole.length_m, 0.18);
+}
+
 }  // namespace
 }  // namespace sidestep::importer

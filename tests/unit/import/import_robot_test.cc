@@ -5,6 +5,7 @@
 
 #include "models/robot_description/home_pose.h"
 #include "models/robot_description/robot_description.h"
+#include "tests/support/maker_mjcf.h"
 #include "tests/unit/import/source_of.h"
 
 namespace sidestep::importer {
@@ -29,7 +30,7 @@ void ExpectHome(const RobotDescription& robot) {
 }
 
 std::vector<MakerRobot> Makers() {
-  std::vector<MakerRobot> makers(5);
+  std::vector<MakerRobot> makers(6);
   makers[0].has_mesh_shapes = true;
   makers[0].foot = MakerFoot::kMesh;
   makers[0].has_gram_frames = true;
@@ -42,6 +43,9 @@ std::vector<MakerRobot> Makers() {
   makers[3].size = 0.7;
   makers[4].foot = MakerFoot::kNone;
   makers[4].size = 0.4;
+  makers[5].foot = MakerFoot::kMarks;
+  makers[5].is_drawn_from_floor = true;
+  makers[5].has_odd_names = true;
   return makers;
 }
 
@@ -98,6 +102,21 @@ TEST(ImportRobot, IsTheSameEveryTime) {
   for (const char* file : {"out/robot.yaml", "out/robot.urdf", "out/maker_walk.yaml"}) {
     EXPECT_EQ(ReadTextFile(first.path() / file), ReadTextFile(second.path() / file));
   }
+}
+
+Notes DoneWith(double armature_kgm2) {
+  const TempFolder folder;
+  MakerMjcf maker;
+  maker.armature_kgm2 = armature_kgm2;
+  ImportOptions options;
+  options.source = WriteMakerMjcf(maker, "maker", folder.path() / "maker");
+  options.folder = folder.path() / "out";
+  return ImportRobot(options).done;
+}
+
+TEST(ImportRobot, StepsAsSlowlyAsHeavyRotorsDo) {
+  EXPECT_TRUE(HasNote(DoneWith(6.0), "chose a swing of 0.4"));
+  EXPECT_FALSE(HasNote(DoneWith(0.04), "chose a swing"));
 }
 
 }  // namespace

@@ -119,5 +119,32 @@ TEST(MjcfRewrite, OnlyMotorsOfJointsStay) {
   EXPECT_TRUE(HasNote(notes, "robot.xml:8:1: left out the <general> 'jet', which is no joint's"));
 }
 
+/// A ball that nothing touches but by <pair>, and the pairs.
+SourceRobot PairedBall(const std::string& world, const std::string& pairs, Notes* notes) {
+  return SourceOfMjcf(
+      SmallMjcf("<geom name=\"ball\" size=\"0.1\" contype=\"0\" conaffinity=\"0\"/>\n"
+                "<geom name=\"ghost\" size=\"0.2\" contype=\"0\" conaffinity=\"0\"/>\n",
+                "<contact>" + pairs + "</contact>", world),
+      notes);
+}
+
+TEST(MjcfRewrite, AShapePairedWithAFloorOfAnotherFileCollides) {
+  Notes notes;
+  const SourceRobot robot = PairedBall(
+      "", "<pair geom1=\"ball\" geom2=\"floor\"/><pair geom1=\"a\" geom2=\"floor\"/>", &notes);
+  ASSERT_EQ(LinkCalled(robot, "pelvis").collisions.size(), 1U);
+  EXPECT_EQ(LinkCalled(robot, "pelvis").collisions[0].size_m.x(), 0.1);
+  EXPECT_TRUE(HasNote(notes, "took 'floor', named by <pair> and not in the file, for floors"));
+}
+
+TEST(MjcfRewrite, AShapePairedWithAHeightFieldCollides) {
+  Notes notes;
+  const SourceRobot robot = PairedBall(
+      "<asset><hfield name=\"hills\" nrow=\"2\" ncol=\"2\" size=\"1 1 1 1\"/></asset>"
+      "<worldbody><geom name=\"ground\" type=\"hfield\" hfield=\"hills\"/></worldbody>",
+      "<pair geom1=\"ground\" geom2=\"ball\"/>", &notes);
+  EXPECT_EQ(LinkCalled(robot, "pelvis").collisions.size(), 1U);
+}
+
 }  // namespace
 }  // namespace sidestep::importer
