@@ -60,8 +60,26 @@ class PlanFinder : private Branches {
         return;
       }
     }
+    const std::string coupled = CoupledLegJoints();
+    if (!coupled.empty()) Fail("has no two legs with as many joints" + coupled);
     Fail(arms.empty() ? "has no two legs: no two branches of as many joints mirror each other"
                       : "has no two legs: '" + arms + "' end two arms, as their joints' names say");
+  }
+
+  /// What is to be said where legs lack the joints that follow others; empty if none does.
+  std::string CoupledLegJoints() const {
+    std::vector<int> coupled;
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
+      const SourceJoint& joint = robot_.joints[i];
+      if (joint.is_mimic && !joint.is_moving() && LegInName(joint.name) > 0) {
+        coupled.push_back(static_cast<int>(i));
+      }
+    }
+    if (coupled.empty()) return "";
+    return ": " + NamesOf(coupled) +
+           " can't follow another joint here and was fixed; take its <mimic> or <equality> out, "
+           "and "
+           "it moves by itself";
   }
 
   /// Whether the names of a branch's joints and links speak of an arm.
@@ -98,7 +116,8 @@ class PlanFinder : private Branches {
       Fail("the leg that ends in '" + Name(end) + "' has " + std::to_string(leg.joints.size()) +
            " joints (" + NamesOf(leg.joints) +
            "): a sole that is to stay flat wherever the pelvis goes needs six, a foot that is a "
-           "point needs three");
+           "point needs three" +
+           CoupledLegJoints());
     }
     if (leg.joints.size() > kLegJoints) {
       const std::vector<int> toes(leg.joints.begin() + kLegJoints, leg.joints.end());

@@ -97,6 +97,25 @@ TEST(BodyPlan, RefusesFiveJointsWithTheReason) {
             "flat wherever the pelvis goes needs six, a foot that is a point needs three");
 }
 
+TEST(BodyPlan, TellsWhichJointOfALegFollowsAnother) {
+  const std::string what =
+      ": right_hip_yaw can't follow another joint here and was fixed; take its <mimic> or "
+      "<equality> out, and it moves by itself";
+  SourceRobot robot = SourceOf(MakerRobot());
+  const auto fix = [&](const std::string& name) {
+    SourceJoint& joint = robot.joints[static_cast<std::size_t>(JointCalled(robot, name))];
+    joint.is_mimic = true;
+    joint.kind = JointKind::kFixed;
+  };
+  fix("right_hip_yaw");
+  const TempFolder folder;
+  EXPECT_EQ(folder.ErrorOf([&] { PlanOf(robot); }),
+            "robot.urdf: error: has no two legs with as many joints" + what);
+  fix("left_hip_yaw");
+  EXPECT_NE(folder.ErrorOf([&] { PlanOf(robot); }).find("needs three: left_hip_yaw"),
+            std::string::npos);
+}
+
 TEST(BodyPlan, RefusesArmsAsLegs) {
   const std::string urdf = UrdfOf(MakerRobot());
   std::string armed = urdf;  // its legs welded: only arms are left
