@@ -15,6 +15,7 @@
 namespace sidestep::importer {
 
 inline constexpr std::size_t kLegJoints = 6;       ///< What a sole on the ground needs.
+inline constexpr std::size_t kAnkleJoints = 2;     ///< The last of them.
 inline constexpr std::size_t kPointLegJoints = 3;  ///< What a point on the ground needs.
 inline constexpr std::size_t kMaxArmJoints = 4;    ///< Shoulder and elbow; the wrist is locked.
 

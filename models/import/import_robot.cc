@@ -18,6 +18,7 @@
 #include "models/import/self_collision.h"
 #include "models/import/text.h"
 #include "models/import/weak_ankles.h"
+#include "models/import/weak_legs.h"
 #include "models/import/write_file.h"
 #include "models/import/write_robot_yaml.h"
 #include "models/import/write_scenarios.h"
@@ -187,6 +188,8 @@ class Import {
                                   " has none; chosen to suit the servos");
     }
     report_.to_decide.push_back("force_torque: a sensor in each ankle is assumed");
+    for (std::string& note : WeakLegs(it_.robot, it_.plan, it_.start.posture))
+      report_.to_decide.push_back(std::move(note));
     if (on_points) return;
     for (std::string& note : WeakAnkles(it_.robot, it_.plan, it_.feet))
       report_.to_decide.push_back(std::move(note));

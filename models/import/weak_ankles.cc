@@ -8,11 +8,6 @@
 #include "models/support/gravity.h"
 
 namespace sidestep::importer {
-namespace {
-
-constexpr std::size_t kAnkleJoints = 2;  // the last ones of a leg
-
-}  // namespace
 
 Notes WeakAnkles(const SourceRobot& robot, const BodyPlan& plan, const std::array<Foot, 2>& feet) {
   const Placement zero(robot, ZeroPosture(robot));
