@@ -52,6 +52,21 @@ double DistanceToSegment(const Sample& point, const Sample& a, const Sample& b) 
   return std::hypot(point.x - a.x - along * x, point.y - a.y - along * y);
 }
 
+// Both ends and the farthest along x and y, in their order: what is read off a plot is exact.
+std::vector<std::size_t> EndsAndExtremes(const std::vector<Sample>& samples) {
+  const auto by_x = [](const Sample& a, const Sample& b) { return a.x < b.x; };
+  const auto by_y = [](const Sample& a, const Sample& b) { return a.y < b.y; };
+  const auto [left, right] = std::minmax_element(samples.begin(), samples.end(), by_x);
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), by_y);
+  std::vector<std::size_t> marks{0, samples.size() - 1};
+  for (const auto& extreme : {left, right, low, high}) {
+    marks.push_back(static_cast<std::size_t>(extreme - samples.begin()));
+  }
+  std::sort(marks.begin(), marks.end());
+  marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+  return marks;
+}
+
 // Douglas and Peucker: keeps the sample farthest from a segment until none is far.
 std::vector<Sample> KeepCorners(const std::vector<Sample>& samples, double width, double height) {
   if (samples.size() < 3) return samples;
@@ -60,8 +75,12 @@ std::vector<Sample> KeepCorners(const std::vector<Sample>& samples, double width
                   height > 0.0 ? samples[i].y / height : 0.0};
   };
   std::vector<bool> is_kept(samples.size(), false);
-  is_kept.front() = is_kept.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> segments{{0, samples.size() - 1}};
+  std::vector<std::pair<std::size_t, std::size_t>> segments;
+  const std::vector<std::size_t> marks = EndsAndExtremes(samples);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    is_kept[marks[i]] = true;
+    if (i > 0) segments.emplace_back(marks[i - 1], marks[i]);
+  }
   while (!segments.empty()) {
     const auto [first, last] = segments.back();
     segments.pop_back();

@@ -32,7 +32,8 @@ struct Span {
 
 /// Thins y over an ascending x. No sample is farther from the lines between the kept ones than a
 /// 2000th of the curve's width and height, or, where more samples fall on a column of pixels than
-/// a picture can show, than that column's own first, lowest, highest and last.
+/// a picture can show, than that column's own first, lowest, highest and last. Ends, lowest and
+/// highest are kept.
 std::vector<Sample> ThinGraph(const std::vector<Sample>& samples);
 
 /// The same of a path in a plane, which may turn back.
