@@ -77,9 +77,8 @@ class PlanFinder : private Branches {
     }
     if (coupled.empty()) return "";
     return ": " + NamesOf(coupled) +
-           " can't follow another joint here and was fixed; take its <mimic> or <equality> out, "
-           "and "
-           "it moves by itself";
+           " can't follow another joint here and was fixed; take its <mimic> or "
+           "<equality> out, and it moves by itself";
   }
 
   /// Whether the names of a branch's joints and links speak of an arm.

@@ -31,7 +31,7 @@ void StandInForFloors(XmlElement* worldbody, XmlElement* contact, Notes* notes) 
     }
   }
   for (const std::string& name : floors) {
-    XmlElement plane{"geom", {}, {}, 0, 0};
+    XmlElement plane{"geom", {}, {}, 0, {}};
     plane.attributes = {{"name", name}, {"type", "plane"}, {"size", "1 1 1"}};
     worldbody->children.push_back(std::move(plane));
   }

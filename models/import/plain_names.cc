@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "models/import/text.h"
@@ -19,11 +18,7 @@ std::string NearestPlainWord(const std::string& name) {
   const std::size_t first = name.find_first_not_of(" \t\r\n-.");
   if (first == std::string::npos) return "unnamed";
   const std::size_t last = name.find_last_not_of(" \t\r\n");
-  std::string word = name.substr(first, std::min(last - first + 1, kMostLetters));
-  for (char& c : word) {
-    if (kPlainCharacters.find(c) == std::string_view::npos) c = '_';
-  }
-  return word;
+  return PlainCharactersOf(name.substr(first, std::min(last - first + 1, kMostLetters)));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 
 #include "models/import/posture.h"
 #include "models/import/text.h"
@@ -16,7 +17,7 @@ constexpr double kLeastShare = 0.5;  // of the hips' height over the feet
 
 void RaiseBase(const BodyPlan& plan, SourceRobot* robot, Notes* notes) {
   const Placement zero(*robot, ZeroPosture(*robot));
-  double feet_m = 1e300, hips_m = 1e300;
+  double feet_m = std::numeric_limits<double>::infinity(), hips_m = feet_m;
   for (const Limb& leg : plan.legs) {
     feet_m = std::min(feet_m, zero.X_WL(leg.end).translation().z());
     hips_m = std::min(hips_m, zero.X_WJ(leg.joints.front()).translation().z());

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "models/import/posture.h"
-#include "models/import/text.h"
+#include "models/import/weak_legs.h"
 #include "models/support/gravity.h"
 
 namespace sidestep::importer {
@@ -24,9 +24,7 @@ Notes WeakAnkles(const SourceRobot& robot, const BodyPlan& plan, const std::arra
           weight_N * 0.5 *
           (std::abs(axis_S.y()) * sole.length_m + std::abs(axis_S.x()) * sole.width_m);
       if (joint.effort_Nm >= needed_Nm) continue;
-      notes.push_back("'" + joint.name + "' has " + Figure(joint.effort_Nm, 3) +
-                      " Nm, and the robot's weight over its sole's edge takes " +
-                      Figure(needed_Nm, 3) + " Nm; if it falls, raise the effort in robot.urdf");
+      notes.push_back(TooWeak(joint, "the robot's weight over its sole's edge", needed_Nm));
     }
   }
   return notes;

@@ -23,6 +23,11 @@ double RestTorque_Nm(const SourceRobot& robot, const Placement& placement, int j
 
 }  // namespace
 
+std::string TooWeak(const SourceJoint& joint, const std::string& what, double needed_Nm) {
+  return "'" + joint.name + "' has " + Figure(joint.effort_Nm, 3) + " Nm, and " + what + " takes " +
+         Figure(needed_Nm, 3) + " Nm; if it falls, raise the effort in robot.urdf";
+}
+
 Notes WeakLegs(const SourceRobot& robot, const BodyPlan& plan, const Posture& start) {
   const Placement placement(robot, start);
   Notes notes;
@@ -32,9 +37,7 @@ Notes WeakLegs(const SourceRobot& robot, const BodyPlan& plan, const Posture& st
       const SourceJoint& joint = robot.joints[static_cast<std::size_t>(leg.joints[i])];
       const double needed_Nm = RestTorque_Nm(robot, placement, leg.joints[i]);
       if (joint.effort_Nm >= needed_Nm) continue;
-      notes.push_back("'" + joint.name + "' has " + Figure(joint.effort_Nm, 3) +
-                      " Nm, and standing on that leg takes " + Figure(needed_Nm, 3) +
-                      " Nm; if it falls, raise the effort in robot.urdf");
+      notes.push_back(TooWeak(joint, "standing on that leg", needed_Nm));
     }
   }
   return notes;

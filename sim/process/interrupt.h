@@ -27,7 +27,8 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
                   std::atomic<std::time_t>::is_always_lock_free,
               "a signal handler may not take a lock");
 
-/// Ends the program on a signal that comes more than a second after the first: the user insists.
+/// Ends the program at once where there is nothing to be kept (EndsAtOnce), and elsewhere on a
+/// signal that comes more than a second after the first: the user insists.
 /// Sooner, it is the same request told twice (a terminal and `timeout` tell process and group).
 inline void HandleInterrupt(int signal) {
   constexpr std::time_t kPatience_s = 1;

@@ -16,9 +16,15 @@
 namespace sidestep {
 namespace {
 
-std::optional<double> FiniteNumber(const std::string& text) {
-  const std::optional<double> number = ParseAs<double>(text);
-  return number && std::isfinite(*number) ? number : std::nullopt;
+// Asks for a finite number that is good, or says what else the text is.
+template <typename IsGood>
+CLI::Validator FiniteNumber(IsGood is_good, const std::string& complaint) {
+  return {[is_good, complaint](std::string& text) {
+            const std::optional<double> number = ParseAs<double>(text);
+            const bool is_it = number && std::isfinite(*number) && is_good(*number);
+            return is_it ? "" : "'" + text + "' " + complaint;
+          },
+          ""};
 }
 
 }  // namespace
@@ -82,30 +88,18 @@ void AddLogOption(CLI::App& command, LogDetail& detail) {
 }
 
 CLI::Validator TimeInRun() {
-  return {[](std::string& text) {
-            const std::optional<double> time_s = FiniteNumber(text);
-            return time_s && *time_s >= 0.0 ? "" : "'" + text + "' is not a time of a run";
-          },
-          ""};
+  return FiniteNumber([](double time_s) { return time_s >= 0.0; }, "is not a time of a run");
 }
 
 CLI::Validator Within(double least, double most) {
   std::ostringstream range;
-  range << "from " << least << " to " << most;
-  return {[least, most, words = range.str()](std::string& text) {
-            const std::optional<double> number = FiniteNumber(text);
-            const bool is_good = number && *number >= least && *number <= most;
-            return is_good ? "" : "'" + text + "' is no number " + words;
-          },
-          ""};
+  range << "is no number from " << least << " to " << most;
+  return FiniteNumber([=](double number) { return number >= least && number <= most; },
+                      range.str());
 }
 
 CLI::Validator AboveZero() {
-  return {[](std::string& text) {
-            const std::optional<double> number = FiniteNumber(text);
-            return number && *number > 0.0 ? "" : "'" + text + "' is no number above 0";
-          },
-          ""};
+  return FiniteNumber([](double number) { return number > 0.0; }, "is no number above 0");
 }
 
 void RefuseEmptyWords(CLI::App& app) {
